@@ -24,6 +24,7 @@ from solvers.solution.restitution import common_velocity
 from solvers.text.notes import Note
 
 from ..choices.cushions import cushions
+from ..choices.kinds import own_options
 from ..choices.request import Request
 from .encoding import (
     FORCE_POINTS,
@@ -89,6 +90,7 @@ def axial_frame(request: Request) -> bytes:
         "stressUnit": stress_unit,
         "modes": request.modes,
         "step": None if marched is None else marched.step / trip,
+        "usualSteps": carried is not None and "steps" not in own_options(scene, Modal.NAME),
         "attached": other is not None and other.method.get("frame") == "attached",
         "exact": _figures(exact) | {"name": known_as(exact)},
         "gaps": _gaps(exact),

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from solvers import LAWS, Rod, Scene, SceneError, Waves
+from solvers import LAWS, Modal, Rod, Scene, SceneError, Waves
 from solvers.bodies import RigidMass
 from solvers.contact import Rigid
 from solvers.contact.constants import STIFFNESS_RANGE
@@ -30,7 +30,9 @@ def law_fields(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
     impactor, target, own = scene.impactor, scene.target, scene.contact
     if not isinstance(impactor, RigidMass) or not isinstance(target, Rod):
         return []
-    if target.support == "anechoic" or target.end_mass or target.velocity or chosen["method"] != Waves.NAME:
+    if target.support == "anechoic" or target.end_mass or target.velocity:
+        return []
+    if chosen["method"] not in (Waves.NAME, Modal.NAME):
         return []
     opened: Any = base_of(chosen["scene"], chosen["bodies"]).contact
     found = []

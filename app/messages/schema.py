@@ -60,6 +60,7 @@ AXIAL: Fields = {
     "stressUnit": Field("number", "v sqrt(E rho) [Pa]"),
     "modes": Field("number", "chosen"),
     "step": Field("number | null", "of the modal force, or that on the modes [T]"),
+    "usualSteps": Field("boolean", "whether the modal force has as many steps as follow from the choices"),
     "attached": Field("boolean", "whether these modes are those of a frame fixed to the struck end"),
     "exact": Field("AxialFigures"),
     "other": Field("AxialFigures | null", "the method beside it"),

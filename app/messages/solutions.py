@@ -5,15 +5,14 @@ from typing import Any
 
 from solvers import Modal, Rod, Solution
 from solvers.accuracy.reference import exact_solution
-from solvers.methods.modal.method import STEPS_PER_PERIOD
 from solvers.methods.multibody.method import Multibody
+from solvers.numerics.modal_drawn import steps_drawn
 from solvers.solution.summary import touching
 
 from ..choices.choices import SOLVED_BY
 from ..choices.kinds import RESTORING, has_frames, own_options, resolutions
 from ..choices.request import Request
 
-MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
 LEAST_STEPS = 1_000  # of a draft, where a scene sets more
 MOST_LONGER = 4.0  # times the usual duration, for a method whose contacts last longer
 LEAST_SWITCHED = 2  # modes that can change with the contact
@@ -64,9 +63,7 @@ def method_options(name: str, request: Request, exact: Solution | None = None) -
             options["frame"] = request.chosen["floating_frame"]
         if exact is not None and isinstance(scene.target, Rod) and "steps" not in own:
             period = scene.target.modes(request.modes).shortest_period
-            touching = exact.contacts[-1].end
-            steps = max(STEPS_PER_PERIOD * exact.duration / period, 500 * exact.duration / touching, 1_000)
-            options["steps"] = int(min(steps, MAX_FORCE_STEPS))
+            options["steps"] = steps_drawn(period, exact.contacts[-1].end, exact.duration)
         return options
     options = own | {option: getattr(request, option) for option in resolutions(scene, name)}
     if name == "mode-switch":

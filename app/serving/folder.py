@@ -30,6 +30,7 @@ REMADE = (
     *("f0Time", "f0", "motionTime", "exactMass", "exactEnd", "exactWhole", "exactTime", "exactForce"),
     *("cycleDepth", "cycleLoading", "cycleUnloading", "blowForce", "touchTime", "touchPressure"),
 )
+REMADE_BESIDE = ("modalForce", "otherMass", "otherEnd")  # where modes are marched as usual
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
     "img-src data: blob:; media-src blob:; font-src data:; base-uri 'none'; form-action 'none'"
@@ -127,12 +128,12 @@ def _gallery(names: set[str]) -> dict[str, Any]:
 def _without_remade(message: bytes) -> bytes:
     """A message whose histories are empty where the kernels of the browser make them anew."""
     header, at = read_header(message), 4 + int.from_bytes(message[:4], "little")
-    kept = []
+    kept, remade = [], REMADE + (REMADE_BESIDE if header["usualSteps"] else ())
     for entry in header["arrays"]:
         _, shape, *unit = entry
         size = (2 if unit else 4) * math.prod(shape)
         size += -size % 4
-        if entry[0] in REMADE:
+        if entry[0] in remade:
             entry[1] = [0]
         else:
             kept.append(message[at : at + size])

@@ -10,14 +10,18 @@ import numba
 import numpy as np
 from numba import carray, types
 
-from solvers.contact import LAWS, Rigid
+from solvers.contact import LAWS, Linear, Rigid
 from solvers.contact.damping import OF_KERNELS
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
-from solvers.numerics.law_functions import CONSTANTS
+from solvers.numerics import modal_drawn
+from solvers.numerics.law_functions import CONSTANTS, any_stepped
+from solvers.numerics.oscillators import Bank, residual_spring
+from solvers.numerics.oscillators import Record as ModalRecord
 from solvers.numerics.polynomials import MAX_INTERVALS, RootWork
+from solvers.numerics.rods import uniform_rod
 from solvers.numerics.waves import law_drawn, rigid_drawn, rigid_figures
 from solvers.numerics.waves.collocation import STAGES
-from solvers.numerics.waves.drawn import MOST_SAMPLES, Drawn
+from solvers.numerics.waves.drawn import MOST_SAMPLES, NO_ROOM, Drawn
 from solvers.numerics.waves.laws import Work as LawWork
 from solvers.numerics.waves.laws import any_law
 from solvers.numerics.waves.nodes import State, rewind
@@ -30,10 +34,12 @@ PIECES, TERMS = 64, 40  # of the wave sent: most impacts have a dozen
 POINTS, INSTANTS, JUMPS, FORCES = 2_400, 301, 400, int(MOST_SAMPLES) + 1
 STRETCHES = 2_000  # of each end of a rod that is struck through a law: most impacts have some hundreds
 CONTACTS, DEPTHS, CYCLE = 64, 60, 300
+MODES, STEPS, CHECKPOINTS = 400, int(modal_drawn.MOST_STEPS), 17
 T = TERMS + 1
 TOLERANCE = 0.1 * 1e-9  # of a step, as `solvers.Waves` takes it
 KINDS = [kind for kind in LAWS.values() if kind is not Rigid]
 REMEMBERS, LOSES = np.array([kind.PLASTIC for kind in KINDS]), np.array([kind.LOSSY for kind in KINDS])
+JUMPING, SPRING = np.array([kind.JUMPS for kind in KINDS]), KINDS.index(Linear)
 
 ON_A_LINE = 80  # of letters of a list: longer ones have one for each of theirs
 FLOATS, INTEGERS, FLAGS = (types.CPointer(kind) for kind in (types.float64, types.int64, types.boolean))
@@ -145,6 +151,54 @@ def law(
     )  # fmt: skip
 
 
+_AnyStepped = any_stepped(KINDS)
+
+
+def modes(
+    beta, reflection, count, touching, duration, constants, shapes, oscillators, histories, saved, saved_rates, runs,
+    contacts, mass, end, out,
+):  # fmt: skip
+    """A mass on a uniform rod by its lowest modes: `solvers.numerics.modal_drawn.answer`, in units T, v and Z v.
+
+    touching: until the last parting by waves; constants: those of the law and its number among KINDS; negative: rigid,
+    by the spring of the modes left out.
+    """
+    n, fixed = int(count), reflection > 0.0
+    if n > MODES:
+        return NO_ROOM
+    s, w = carray(shapes, (5, MODES)), carray(oscillators, (8, MODES))
+    frequencies, at_contact, damping = s[0][:n], s[1][:n], s[2][:n]
+    compliance = uniform_rod(fixed, frequencies)  # k L, which is half of omega T
+    for i in range(n):
+        frequencies[i], at_contact[i], damping[i] = 2.0 * frequencies[i], 2.0, 0.0
+    period = 2.0 * np.pi / frequencies[n - 1]
+    last = modal_drawn.steps_drawn(period, touching, duration)
+    h = carray(histories, (10, STEPS + 1))
+    stride = last // (CHECKPOINTS - 1) + 1
+    record = ModalRecord(
+        h[0][:last], h[1][: last + 1], h[2][: last + 1], h[3][: last + 1], h[4][: last + 1], h[5][: last + 1],
+        h[6][: last + 1], h[7][: last + 1],
+        carray(saved, (CHECKPOINTS, n)), carray(saved_rates, (CHECKPOINTS, n)),
+    )  # fmt: skip
+    bank = Bank(w[0][:n], w[1][:n], w[2][:n], w[3][:n], w[4][:n], w[5][:n], w[6][:n], w[7][:n])
+    room = modal_drawn.March(
+        record, bank, s[3][:n], s[4][:n], h[8][: last + 1], h[9][: last + 1], carray(runs, (STEPS // 2 + 1, 2))
+    )
+    c, step = carray(constants, (CONSTANTS + 1,)), duration / last
+    number, rigid = int(c[CONSTANTS]), c[CONSTANTS] < 0.0
+    if rigid:
+        c[0], number = 1.0 / compliance, SPRING
+    law = _AnyStepped(number, c[0], c[1], c[2], c[3], c[4], c[5])
+    c[CONSTANTS] = number
+    spring = residual_spring(0.0 if rigid else compliance, step, period, JUMPING[number], REMEMBERS[number])
+    of_law = c, not rigid and LOSES[number], rigid
+    return modal_drawn.answer(
+        law, _any_law, of_law, spring, 0.5 / beta, np.inf if fixed else 0.5, (frequencies, at_contact, damping),
+        step, stride, room, carray(contacts, (CONTACTS, modal_drawn.CONTACT_COLUMNS)),
+        (carray(mass, (INSTANTS,)), carray(end, (INSTANTS,))), carray(out, (modal_drawn.COLUMNS,)),
+    )  # fmt: skip
+
+
 def _dashpot_of(number: int) -> Callable:
     """The damping number of the laws from this one on, and its nominal restitution."""
     number_for, nominal = OF_KERNELS[DASHPOTS[number]]
@@ -234,6 +288,41 @@ ENTRIES = {
             "duration": law_drawn.SHOWN,
             "wavePoints": law_drawn.WAVE_POINTS,
             "forcePoints": law_drawn.FORCE_POINTS,
+        },
+    ),
+    "modes": Entry(
+        modes,
+        5,
+        {
+            "constants": CONSTANTS + 1,
+            "shapes": 5 * MODES,
+            "oscillators": 8 * MODES,
+            "histories": 10 * (STEPS + 1),  # of which the first is the force over each step
+            "saved": CHECKPOINTS * MODES,
+            "savedRates": CHECKPOINTS * MODES,
+            "runs": 2 * (STEPS // 2 + 1),
+            "contacts": modal_drawn.CONTACT_COLUMNS * CONTACTS,
+            "mass": INSTANTS,
+            "end": INSTANTS,
+            "out": modal_drawn.COLUMNS,
+        },
+        {"runs": INTEGERS},
+        {
+            "impulse": modal_drawn.IMPULSE,
+            "final": modal_drawn.FINAL,
+            "target": modal_drawn.TARGET,
+            "apart": modal_drawn.APART,
+            "compressing": modal_drawn.COMPRESSING,
+            "energy": modal_drawn.STRUCK,
+            "local": modal_drawn.LOCAL,
+            "dissipated": modal_drawn.DISSIPATED,
+            "deepest": modal_drawn.DEEPEST,
+            "dent": modal_drawn.DENT_LEFT,
+            "steps": modal_drawn.STEPS,
+            "window": modal_drawn.WINDOW,
+            "touches": modal_drawn.TOUCHES,
+            "highest": modal_drawn.HIGHEST,
+            "contacts": modal_drawn.CONTACTS,
         },
     ),
     "dashpot": Entry(dashpot, 2, {"out": 2}, {}, {"number": 0, "nominal": 1}),

@@ -10,6 +10,8 @@ MODULE = Path(__file__).parents[1] / "static/wasm/kernels.wasm"
 SOURCES = (
     "numerics/waves/rigid_drawn.py",
     "numerics/waves/law_drawn.py",
+    "numerics/modal_drawn.py",
+    "numerics/rods.py",
     "contact/__init__.py",
 )  # of the library: with all that they import
 SECTION = b"\x0bfingerprint"  # in which the module names the sources that it was made of

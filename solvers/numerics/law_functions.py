@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import types
 
-from ..jit.kernels import address, addressed_kernel, kernel
+from ..jit.kernels import address, addressed_kernel, inner_kernel, kernel
 
 CONSTANTS = 6  # room for those of any law
 MEMORY = 5  # room for what a law answers: end, energy lost, two numbers of its way back; largest force
@@ -68,6 +68,47 @@ def ask_function(kind: type) -> Callable:
         return centred(law, indentation, rate, slowing, deepest)
 
     return address(ask, ASK_SIGNATURE)
+
+
+def any_stepped(kinds: Sequence[type]) -> type:
+    """Several sorts of contact laws as one, for a march: the number of one among `kinds`, and its constants."""
+
+    def choice(number: int) -> Callable:
+        kind = kinds[number]
+        count = len(kind._fields)
+        others = choice(number + 1) if number + 1 < len(kinds) else None
+
+        @inner_kernel
+        def step(which, c, start, free, compliance, rate, expected, deepest, memory):
+            if others is None or which == number:
+                law = kind(*c[:count])
+                if compliance == 0.0:
+                    return 0.0, 0.0, 0.0, law.unloading(deepest)
+                return law.mean_force(start, free, compliance, rate, expected, deepest, memory)
+            return others(which, c, start, free, compliance, rate, expected, deepest, memory)
+
+        return step
+
+    chosen = choice(0)
+
+    class AnyStepped(NamedTuple):
+        number: int
+        c0: float
+        c1: float
+        c2: float
+        c3: float
+        c4: float
+        c5: float
+
+        def unloading(self, deepest):
+            constants = self.c0, self.c1, self.c2, self.c3, self.c4, self.c5
+            return chosen(self.number, constants, 0.0, 0.0, 0.0, 0.0, 0.0, deepest, (0.0, 0.0))[3]
+
+        def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+            constants = self.c0, self.c1, self.c2, self.c3, self.c4, self.c5
+            return chosen(self.number, constants, start, free, compliance, rate, expected, deepest, memory)
+
+    return AnyStepped
 
 
 def asked(law: NamedTuple) -> tuple[Callable, np.ndarray]:

@@ -7,13 +7,19 @@ Error: second order in the step. Same family as the energy-stable collision sche
 (2015).
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
+from numba.extending import register_jitable
 
 from ..jit.kernels import allocating_kernel, inner_kernel, inner_summing_kernel, kernel
 from ..jit.reference import refer
 from .arrays import copy_to, largest
+
+# Of the highest mode kept. Its motion is exact at any step: with fewer the contact force is, within a step, of a lower
+# order; `tests/solvers/methods/test_orders.py`.
+STEPS_PER_PERIOD = 20
 
 
 class Bank(NamedTuple):
@@ -35,31 +41,54 @@ class Bank(NamedTuple):
     excess: np.ndarray  # cosine^2 + sine^2 - 1, by rounding: undone now and then, as it would add up over 1e5 steps
 
 
-class Turn(NamedTuple):
-    """What some time does to oscillators, alone (cosine, sine) and by a constant unit force (kicks)."""
+@inner_kernel
+def _turn(angle, softness, damping):
+    """What some time does to an oscillator, by itself (cosine, sine) and by a constant unit force (kicks).
 
-    cosine: np.ndarray
-    sine: np.ndarray
-    kick_displacement: np.ndarray
-    kick_velocity: np.ndarray
-
-
-def turn(angle: np.ndarray, softness: np.ndarray, damping: np.ndarray | float = 0.0) -> Turn:
-    """For angles omega * time, softness (at_contact / omega)^2 [m/N] and damping ratios below 1, broadcast."""
-    if not np.any(damping):
-        sine = np.sin(angle)
-        return Turn(np.cos(angle), sine, softness * (2.0 * np.sin(0.5 * angle) ** 2), softness * sine)
-    root = np.sqrt(1.0 - np.square(damping))
-    lag, shrink = damping / root, np.exp(-damping * angle)
-    sine = np.sin(root * angle)
-    half = 2.0 * np.sin(0.5 * root * angle) ** 2  # 1 - cos, which cancels for low modes
-    fade = -np.expm1(-damping * angle)
-    return Turn(
-        shrink * np.cos(root * angle),
+    angle: omega * time; softness (at_contact / omega)^2 [m/N]; damping ratio below 1.
+    """
+    if damping == 0.0:
+        sine = math.sin(angle)
+        return math.cos(angle), sine, softness * (2.0 * math.sin(0.5 * angle) ** 2), softness * sine
+    root = math.sqrt(1.0 - damping * damping)
+    lag, shrink = damping / root, math.exp(-damping * angle)
+    sine = math.sin(root * angle)
+    half = 2.0 * math.sin(0.5 * root * angle) ** 2  # 1 - cos, which cancels for low modes
+    fade = -math.expm1(-damping * angle)
+    return (
+        shrink * math.cos(root * angle),
         shrink * sine,
         softness * (fade + shrink * (half - lag * sine)),
         softness * (shrink * sine + lag * (fade + shrink * half)),
     )
+
+
+@inner_kernel
+def _square(value):
+    """A square as a sum of two doubles (Dekker)."""
+    scaled = 134217729.0 * value
+    high = scaled - (scaled - value)
+    low = value - high
+    product = value * value
+    return product, ((high * high - product) + 2.0 * high * low) + low * low
+
+
+@kernel
+def set_bank(frequencies, at_contact, turning, damping, step, bank):
+    """Write the bank of oscillators (modes,); see `oscillator_bank`."""
+    bank = refer(bank)
+    for i in range(frequencies.size):
+        softness = (at_contact[i] / frequencies[i]) ** 2
+        cosine, sine, kick, velocity_kick = _turn(turning[i] * step, softness, damping[i])
+        bank.cosine[i], bank.sine[i] = cosine, sine
+        bank.kick_displacement[i], bank.kick_velocity[i] = kick, velocity_kick
+        bank.turned_kick_displacement[i] = cosine * kick + sine * velocity_kick
+        bank.turned_kick_velocity[i] = cosine * velocity_kick - sine * kick
+        bank.energy[i], bank.excess[i] = 0.5 / softness, 0.0
+        if damping[i] == 0.0:
+            c2, c_rest = _square(cosine)
+            s2, s_rest = _square(sine)
+            bank.excess[i] = ((max(c2, s2) - 1.0) + min(c2, s2)) + (c_rest + s_rest)
 
 
 def oscillator_bank(
@@ -67,39 +96,28 @@ def oscillator_bank(
     at_contact: np.ndarray,
     step: float,
     turning: np.ndarray | None = None,
-    damping: np.ndarray | float = 0.0,
+    damping: np.ndarray | None = None,
 ) -> Bank:
     """`turning` [rad/s]: frequencies at which the step turns the oscillators, where it is not exact.
 
     `damping` (modes,): of each oscillator, as a fraction of the critical.
     """
-    angle = (frequencies if turning is None else turning) * step
-    softness = (at_contact / frequencies) ** 2
-    cosine, sine, kick_displacement, kick_velocity = turn(angle, softness, damping)
-    damps = bool(np.any(damping))
-    return Bank(
-        cosine,
-        sine,
-        kick_displacement,
-        kick_velocity,
-        cosine * kick_displacement + sine * kick_velocity,
-        cosine * kick_velocity - sine * kick_displacement,
-        0.5 / softness,
-        np.zeros_like(cosine) if damps else _sum_of_squares_minus_one(cosine, sine),
-    )
+    bank = Bank(*np.empty((len(Bank._fields), frequencies.size)))
+    damping = np.zeros(frequencies.size) if damping is None else damping
+    set_bank(frequencies, at_contact, frequencies if turning is None else turning, damping, step, bank)
+    return bank
 
 
-def _sum_of_squares_minus_one(cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
-    def square(value):  # value^2 as a sum of two doubles (Dekker)
-        scaled = 134217729.0 * value
-        high = scaled - (scaled - value)
-        low = value - high
-        product = value * value
-        return product, ((high * high - product) + 2.0 * high * low) + low * low
-
-    (c2, c_rest), (s2, s_rest) = square(cosine), square(sine)
-    large, small = np.maximum(c2, s2), np.minimum(c2, s2)
-    return ((large - 1.0) + small) + (c_rest + s_rest)
+@kernel
+def turned(frequencies, at_contact, damping, time, force, displacement, velocity):
+    """Carry oscillators, (instants, modes) as in `Bank`, on by a time and with a constant force, (instants,) each."""
+    for k in range(time.size):
+        for i in range(frequencies.size):
+            softness = (at_contact[i] / frequencies[i]) ** 2
+            cosine, sine, kick, velocity_kick = _turn(frequencies[i] * time[k], softness, damping[i])
+            q, p = displacement[k, i], velocity[k, i]
+            displacement[k, i] = cosine * q + sine * p + kick * force[k]
+            velocity[k, i] = cosine * p - sine * q + velocity_kick * force[k]
 
 
 class Record(NamedTuple):
@@ -134,6 +152,13 @@ class Residual(NamedTuple):
     jumps: bool = False
 
 
+@register_jitable
+def residual_spring(compliance, step, period, jumps, plastic):
+    """That of modes of this compliance beyond one of this period, under a law whose force may jump or that yields."""
+    settling = min(0.5, step / period) if compliance > 0.0 and (jumps or plastic) else 0.0
+    return Residual(compliance, settling, jumps)
+
+
 @allocating_kernel
 def march(law, residual, mass, rigid_mass, fall, surge, step, bank, displacement, velocity, stride, begin, end, record):
     """Advance from instant `begin` to `end`; displacement and velocity (modes,) are turned already for `begin`.
@@ -151,7 +176,7 @@ def march(law, residual, mass, rigid_mass, fall, surge, step, bank, displacement
         bank.turned_kick_displacement.copy(),
         bank.turned_kick_velocity.copy(),
     )
-    _march(law, residual, mass, rigid_mass, fall, surge, step, bank, *turning, q, p, stride, begin, end, record)
+    march_in_place(law, residual, mass, rigid_mass, fall, surge, step, bank, *turning, q, p, stride, begin, end, record)
     copy_to(displacement, q)
     copy_to(velocity, p)
 
@@ -168,7 +193,7 @@ def _check_in(bank, record, row, stride, force, q, p):
 
 
 @inner_summing_kernel
-def _march(
+def march_in_place(
     law, residual, mass, rigid_mass, fall, surge, step, bank,
     cosine, sine, q_kick, p_kick, q, p, stride, begin, end, record,
 ):  # fmt: skip
@@ -226,6 +251,38 @@ def _march(
         indentations[k + 1], springs[k + 1], losses[k + 1] = indentation, spring, lost
         record.position[k + 1], record.velocity[k + 1] = x, v
         record.rigid_position[k + 1], record.rigid_velocity[k + 1] = rigid_x, rigid_v
+
+
+@inner_kernel
+def ringing(frequencies, damping, bank, q, p):
+    """Energy of all oscillators [J] that `march_in_place` has left turned a step too far."""
+    total = 0.0
+    for i in range(frequencies.size):
+        cosine, sine = bank.cosine[i], bank.sine[i]
+        shrunk = cosine * cosine + sine * sine
+        displacement, velocity = (cosine * q[i] - sine * p[i]) / shrunk, (cosine * p[i] + sine * q[i]) / shrunk
+        rate = math.sqrt(1.0 - damping[i] ** 2) * velocity - damping[i] * displacement
+        total += bank.energy[i] * (displacement * displacement + rate * rate)
+    return total
+
+
+@inner_kernel
+def rate_at(time, step, frequencies, at_contact, damping, bank, record, stride, q, p):
+    """Velocity of the struck face by all oscillators [m/s] at any time of a march; q, p (modes,): room."""
+    force = record.contact_force
+    cell = min(max(int(time / step + 1e-9), 0), force.size - 1)
+    saved = cell // stride
+    copy_to(q, record.checkpoint_displacement[saved])
+    copy_to(p, record.checkpoint_velocity[saved])
+    _advance(bank, q, p, force, saved * stride, cell)
+    total, later, push = 0.0, time - cell * step, force[cell]
+    for i in range(frequencies.size):
+        softness = (at_contact[i] / frequencies[i]) ** 2
+        cosine, sine, kick, velocity_kick = _turn(frequencies[i] * later, softness, damping[i])
+        displacement = cosine * q[i] + sine * p[i] + kick * push
+        velocity = cosine * p[i] - sine * q[i] + velocity_kick * push
+        total += frequencies[i] * (math.sqrt(1.0 - damping[i] ** 2) * velocity - damping[i] * displacement)
+    return total
 
 
 @inner_kernel

@@ -1,11 +1,31 @@
 """Natural modes of rods: uniform, of several pieces, and with a mass on one end."""
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 
+from ..jit.kernels import kernel
 from .modes import Modes
+
+
+@kernel
+def uniform_rod(fixed, angles):
+    """Write k L of the lowest modes of a uniform rod (modes,), free where it is struck and fixed or free at its other
+    end; returns the sum of 1 / (k L)^2 of all modes beyond."""
+    shift = 0.5 if fixed else 0.0
+    for i in range(angles.size):
+        angles[i] = math.pi * (i + 1.0 - shift)
+    q, rest = angles.size + 1.0 - shift, 0.0  # sum of 1 / (q + i)^2, from 16 on by Euler and Maclaurin
+    while q < 16.0:
+        rest += 1.0 / (q * q)
+        q += 1.0
+    square = 1.0 / (q * q)
+    series = square * (
+        1.0 / 6.0 - square * (1.0 / 30.0 - square * (1.0 / 42.0 - square * (1.0 / 30.0 - square * 5.0 / 66.0)))
+    )
+    return (rest + (1.0 + 0.5 / q + series) / q) / (math.pi * math.pi)
 
 
 def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count: int) -> Modes:
@@ -14,18 +34,15 @@ def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count:
     `count` vibration modes; the rigid-body motion of a free rod comes on top.
     Source: thesis (5.2) with the end conditions of 5.3 and 9.3; residual compliance sum_{i>N} phi_i^2 / omega_i^2.
     """
-    from scipy.special import zeta  # here, as it costs a fifth of the time allowed for importing the library
-
-    halves = np.arange(1, count + 1) - (0.5 if fixed else 0.0)  # k L / pi
-    wavenumbers = np.pi * halves / length
-    amplitude = np.sqrt(2.0 / mass)
-    left_out = 2.0 / mass * (length / (np.pi * wave_speed)) ** 2 * zeta(2.0, count + (0.5 if fixed else 1.0))
+    angles = np.empty(count)
+    rest = uniform_rod(fixed, angles)
+    wavenumbers, amplitude = angles / length, np.sqrt(2.0 / mass)
     return Modes(
         frequencies=wave_speed * wavenumbers,
         at_contact=np.full(count, amplitude),
         rigid_mass=np.inf if fixed else mass,
-        residual_compliance=float(left_out),
-        means=amplitude * np.sinc(halves) if fixed else None,
+        residual_compliance=2.0 / mass * (length / wave_speed) ** 2 * rest,
+        means=amplitude * np.sin(angles) / angles if fixed else None,
         shapes=lambda x: amplitude * np.cos(np.multiply.outer(wavenumbers, x)),
         slopes=lambda x: -amplitude * wavenumbers[:, None] * np.sin(np.multiply.outer(wavenumbers, x)),
         static_shapes=static_rod_shape(length, length**2 / (mass * wave_speed**2), fixed),

@@ -6,18 +6,6 @@ from typing import Any
 import numpy as np
 
 
-def run_out(*forces: float) -> float:
-    """How many steps after three steps with these mean forces the force comes to zero: from 0 to 2."""
-    if len(forces) < 3:
-        return 1.0
-    first, second, third = forces  # in the middle of the steps; the parabola through them, from the last one on
-    slope, bend = 0.5 * (3.0 * third - 4.0 * second + first), 0.5 * (third - 2.0 * second + first)
-    square = slope * slope - 4.0 * bend * third
-    if square <= 0.0 or slope - np.sqrt(square) >= 0.0:
-        return 1.0
-    return float(np.clip(-2.0 * third / (slope - np.sqrt(square)) - 0.5, 0.0, 2.0))
-
-
 class ShapeField:
     """Fields as sums of shapes: u(x, t) = sum_i q_i(t) shape_i(x), straight between the instants.
 

@@ -12,8 +12,8 @@ from ..contact.duration import steepest_stiffness
 from ..contact.protocol import OfPower
 from ..methods import Modal
 from ..methods.modal.method import default_step
-from ..methods.modal.motion import LEAST_OPENING
 from ..methods.modal.pair import Pair
+from ..numerics.modal_contacts import LEAST_OPENING
 from ..numerics.oscillators import Residual, oscillator_bank
 from ..scene import Scene
 from ..text.notes import Note, Severity

@@ -2,8 +2,8 @@
 import { DASHPOTS, LAWS, OUT, ROOM } from './room.js';
 
 const [PAGE, NUMBER, ALIGNED] = [65536, 8, 64]; // bytes
-// numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py
-const CONTACT = { rod: 7, law: 5 };
+// numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py, and modal_drawn.py
+const CONTACT = { rod: 7, law: 5, modes: 5 };
 
 /** @typedef {keyof typeof ROOM} Name  of a kernel */
 /** @import { LawRecord } from '../messages.js' */
@@ -40,6 +40,29 @@ const CONTACT = { rod: 7, law: 5 };
  * @property {Contact[]} contacts
  * @property {Record<'waveTime' | 'wave' | 'forceTime' | 'force' | 'mass' | 'end' | 'whole', Float64Array>} histories
  * @property {Cycle | null} cycle
+ */
+
+/**
+ * An impact by modes, in the same units.
+ * @typedef {object} ModalImpact
+ * @property {number} duration
+ * @property {number} impulse
+ * @property {number} final  velocity of the mass
+ * @property {number} target  velocity of the centre of the rod
+ * @property {number} apart  with which the faces part
+ * @property {number} compressing  impulse up to the end of compression
+ * @property {number} energy  of the rod
+ * @property {number} local  energy of the contact, and of what the modes left out give way
+ * @property {number} dissipated
+ * @property {number} deepest
+ * @property {number} dent
+ * @property {number} window  shortest kept period
+ * @property {number} touches  contacts with all chatter
+ * @property {number} highest  the largest force of these
+ * @property {Contact[]} contacts
+ * @property {Float64Array} force  over each step
+ * @property {Float64Array} mass  positions at even times, as are those of the struck end
+ * @property {Float64Array} end
  */
 
 export class Kernels {
@@ -100,11 +123,7 @@ export class Kernels {
     if (!called) return null;
     const { figures, read } = called;
     const { compressing, duration, energy, forcePoints, impulse, target, wavePoints } = figures;
-    const columns = CONTACT[name];
-    const table = read('contacts', columns * figures.contacts);
-    const rows = Array.from({ length: figures.contacts }, (_, k) => [
-      ...table.subarray(columns * k, columns * (k + 1)),
-    ]);
+    const rows = rowsOf(CONTACT[name], figures.contacts, read);
     const histories = {
       ...{ waveTime: read('waveTime', wavePoints), wave: read('wave', wavePoints) },
       ...{ forceTime: read('forceTime', forcePoints), force: read('force', forcePoints) },
@@ -157,6 +176,45 @@ export class Kernels {
     const curve = { loading: read('loading'), unloading: read('unloading') };
     return { ...common, contacts, final, apart, dissipated, cycle: { deepest, dent, ...path, ...curve } };
   }
+  /**
+   * Either by the lowest modes of the rod.
+   * @param {number} beta
+   * @param {1 | -1} reflection
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law  likewise; rigid without constants
+   * @param {number} count  of modes
+   * @param {number} touching  [T], until the last parting by waves
+   * @param {number} duration  [T]
+   * @returns {ModalImpact | null}
+   */
+  modes(beta, reflection, { name, constants }, count, touching, duration) {
+    const given = this.#array('modes', 'constants', ROOM.modes.constants).fill(0);
+    given.set([...constants]);
+    given[given.length - 1] = constants.length ? LAWS.indexOf(name) : -1;
+    const called = this.#call('modes', beta, reflection, count, touching, duration);
+    if (!called) return null;
+    const { figures, read } = called;
+    const { apart, compressing, contacts: found, deepest, dent, dissipated, energy, final } = figures;
+    const { highest, impulse, local, steps, target, touches, window } = figures;
+    const contacts = rowsOf(CONTACT.modes, found, read).map(([start, end, push, peak, after]) => {
+      return { start, end, push, after, peak };
+    });
+    return {
+      ...{ apart, compressing, contacts, deepest, dent, dissipated, duration, energy, final },
+      ...{ highest, impulse, local, target, touches, window },
+      ...{ force: read('histories', steps), mass: read('mass'), end: read('end') },
+    };
+  }
+}
+
+/**
+ * The contacts that a kernel has found.
+ * @param {number} columns
+ * @param {number} count
+ * @param {(array: string, size: number) => Float64Array} read
+ */
+function rowsOf(columns, count, read) {
+  const table = read('contacts', columns * count);
+  return Array.from({ length: count }, (_, k) => [...table.subarray(columns * k, columns * (k + 1))]);
 }
 
 /**

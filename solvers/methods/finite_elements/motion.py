@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from ...numerics.elements.line import two_sided
+from ...numerics.modal_contacts import run_out
 from ...scene import Scene
-from ...solution.sampled_motion import SampledMotion, ShapeField, growth, run_out
+from ...solution.sampled_motion import SampledMotion, ShapeField, growth
 from ...solution.solution import ContactPeriod
 
 
@@ -100,7 +101,8 @@ class ElementMotion(SampledMotion):
         ends = course.step * (lasts + 1.0 - _zero(left, closed(lasts, lasts)))
         for k in np.flatnonzero((left > 0.0) & (lasts + 1 < course.steps)):  # damping has used up the force before
             pushes = np.diff(course.impulse[max(lasts[k] - 3, firsts[k]) : lasts[k] + 1])
-            ends[k] = course.step * (lasts[k] + run_out(*pushes.tolist()))
+            lasting = run_out(*pushes.tolist()) if pushes.size == 3 else 1.0
+            ends[k] = course.step * (lasts[k] + lasting)
         return starts, ends
 
     def contacts(self) -> list[ContactPeriod]:

@@ -9,7 +9,7 @@ import numpy as np
 from ... import validation
 from ...bodies import AnyBody, Beam, Bending, Pivoted, Rod
 from ...numerics.modes import Modes
-from ...numerics.oscillators import Record, Residual, march
+from ...numerics.oscillators import STEPS_PER_PERIOD, Record, Residual, march, residual_spring
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.solution import Later, Solution, later
@@ -24,9 +24,6 @@ from .frames import frame_figures, pivot_figures
 from .motion import ModalMotion, last_touch
 from .pair import Pair
 
-# Of the highest mode kept. Its motion is exact at any step: with fewer the contact force is, within a step, of a lower
-# order; `tests/solvers/methods/test_orders.py`.
-STEPS_PER_PERIOD = 20
 STEPS_PER_CONTACT = 200  # of the shortest contact there can be; with fewer its peak and its loss are off
 # Unless more are asked for; what a step costs is measured by `python -m bench --only kernels`. Fewer, and long impacts
 # are solved more coarsely, at which the energy is kept all the same.
@@ -336,8 +333,7 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
 
 def _contact(scene: Scene, pair: Pair, step: float) -> tuple[Any, Residual]:
     law, residual = pair.law(scene)
-    settling = min(0.5, step / pair.resolved_time) if residual and (law.JUMPS or law.PLASTIC) else 0.0
-    return law, Residual(residual, settling, law.JUMPS)
+    return law, residual_spring(residual, step, pair.resolved_time, law.JUMPS, law.PLASTIC)
 
 
 def again(motion: ModalMotion, scene: Scene, record: Record | None = None) -> tuple[ModalMotion, Record]:

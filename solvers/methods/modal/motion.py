@@ -1,20 +1,20 @@
 """What the modal kernel has recorded, as a motion: fields and histories, and contacts apart from chatter."""
 
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from ...numerics.oscillators import Bank, Record, carried, turn
+from ...numerics import modal_contacts
+from ...numerics.law_functions import constants_of
+from ...numerics.oscillators import Bank, Record, carried, turned
+from ...numerics.waves.laws import law_function
 from ...scene import Scene
 from ...solution.motion import TargetState
-from ...solution.sampled_motion import given_up, growth, run_out
+from ...solution.sampled_motion import given_up, growth
 from ...solution.solution import ContactPeriod
 from ...validation import SceneError, allowed
 from .pair import Pair
-
-# Of what the modes left out give way under the peak force: who opens by less may still be touching. Measured on exact
-# waves, mass ratios 0.02 to 50 on fixed and free rods, 20 to 200 modes: false gaps stay below, true ones open wider.
-LEAST_OPENING = 0.4
 
 
 class ModalMotion:
@@ -33,16 +33,13 @@ class ModalMotion:
         self.steps = record.contact_force.size
         self.duration = self.steps * step
         self._instants = np.arange(self.steps + 1) * step
-        self._impulses = np.concatenate(([0.0], np.cumsum(record.contact_force))) * step
+        self.deepest, self._impulses = np.empty((2, self.steps + 1))  # largest indentation so far [m]
+        modal_contacts.gathered(record, step, self.deepest, self._impulses)
         self._law = pair.law(scene)[0]
 
     @cached_property
     def bank(self) -> Bank:
         return self.pair.bank(self.step)
-
-    @cached_property
-    def _softness(self) -> np.ndarray:
-        return (self.pair.at_contact / self.pair.frequencies) ** 2
 
     def _cell(self, time):
         return np.clip(np.floor(np.asarray(time, float) / self.step + 1e-9), 0, self.steps - 1).astype(int)
@@ -56,11 +53,10 @@ class ModalMotion:
 
     def resolved_force(self, time):
         """The raw force averaged over the shortest kept period: the finest that these modes can resolve."""
-        half = 0.5 * self.pair.resolved_time
-        if half == 0.0:
-            return self.force(time)
-        time = np.asarray(time, float)
-        return (self._at(time + half, self._impulses) - self._at(time - half, self._impulses)) / (2.0 * half)
+        times = np.atleast_1d(np.asarray(time, float))
+        found, window = np.empty_like(times), self.pair.resolved_time
+        modal_contacts.resolve(times, self.step, window, self.record.contact_force, self._impulses, found)
+        return found.reshape(np.shape(time))
 
     def force_history(self):
         """Times and raw forces, constant over each step: every instant stands twice."""
@@ -76,13 +72,9 @@ class ModalMotion:
         displacement, velocity = np.empty((2, time.size, self.pair.frequencies.size))
         saved = record.checkpoint_displacement, record.checkpoint_velocity
         carried(self.bank, *saved, self.stride, record.contact_force, cells, displacement, velocity)
-        angle = np.multiply.outer(time - cells * self.step, self.pair.frequencies)
-        push = record.contact_force[cells][:, None]
-        cosine, sine, kick, velocity_kick = turn(angle, self._softness, self.pair.damping)
-        return (
-            cosine * displacement + sine * velocity + kick * push,
-            cosine * velocity - sine * displacement + velocity_kick * push,
-        )
+        later, push = time - cells * self.step, record.contact_force[cells]
+        turned(self.pair.frequencies, self.pair.at_contact, self.pair.damping, later, push, displacement, velocity)
+        return displacement, velocity
 
     def _coordinates(self, time):
         """at_contact * q and at_contact * q', each (time, modes)."""
@@ -295,98 +287,43 @@ class ModalMotion:
         whole = self.pair.target.moving_energy(target.mass, target.velocity, self.record.rigid_velocity[nearest])
         return {"kinetic": whole + kinetic[:, split:].sum(axis=1), "strain": strain[:, split:].sum(axis=1)}
 
-    @cached_property
-    def deepest(self) -> np.ndarray:
-        """Largest indentation so far at every instant [m]."""
-        return np.maximum(np.maximum.accumulate(self.record.indentation), 0.0)
-
     # --- contacts
+
+    @cached_property
+    def _runs(self) -> np.ndarray:
+        runs = np.empty((self.steps // 2 + 1, 2), np.int64)
+        return runs[: modal_contacts.touches(self.record.contact_force, runs)]
 
     def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
         """First step, and the one after the last, of every stretch of steps with a force, chatter and all."""
-        pressing = np.concatenate(([False], self.record.contact_force > 0.0, [False]))
-        edges = np.flatnonzero(pressing[1:] != pressing[:-1])
-        return edges[::2], edges[1::2]
+        return self._runs[:, 0], self._runs[:, 1]
 
     @cached_property
-    def _resolved_opening(self) -> float:
-        """How far the faces must part before these modes resolve it [m]."""
-        peak = float(self.resolved_force(self._instants).max())
-        return LEAST_OPENING * self.pair.residual_compliance * peak
-
-    @cached_property
-    def _every_gap_counts(self) -> bool:
-        """Whether no contact can chatter: a law of its own on beams, where no front runs whose steepness modes miss."""
+    def _resolves(self) -> modal_contacts.Resolved:
+        """No contact can chatter where a law of its own acts on beams: no front runs whose steepness modes miss."""
         rings = [body for body in (self.scene.impactor, self.scene.target) if body.time_unit is not None]
-        return not self.scene.rigid_contact and all(body.bends for body in rings)
+        every = not self.scene.rigid_contact and all(body.bends for body in rings)
+        window, compliance, opening = self.pair.resolved_time, self.pair.residual_compliance, 0.0
+        if not every:
+            pressed = self.record.contact_force, self._impulses
+            opening = modal_contacts.least_opening(compliance, self.step, window, *pressed)
+        return modal_contacts.Resolved(self.step, window, opening, every, self.scene.rigid_contact, self.parted)
 
-    def _apart(self, first: int, last: int) -> bool:
-        """Whether the faces truly part between these instants: no resolved force, and a gap that the modes resolve."""
-        if self._every_gap_counts:
-            return True
-        if (last - first) * self.step < self.pair.resolved_time:
-            return False
-        dent = self._law.dent(float(self.deepest[first]))
-        return dent - float(self.record.indentation[first : last + 1].min()) > self._resolved_opening
+    def _asked(self) -> tuple[Any, np.ndarray, np.ndarray]:
+        """The contact law as kernels of contacts take it."""
+        return law_function(type(self._law)), constants_of([self._law])[0], np.empty(2)
 
     def uncertain_gaps(self, periods: float) -> int:
         """How many gaps of the raw force are not counted, and yet last longer than so many shortest kept periods."""
-        starts, ends = (edges.tolist() for edges in self.raw_contacts())
         longest = periods * self.pair.resolved_time / self.step
-        gaps = zip(ends[:-1], starts[1:], strict=True)
-        return sum(start - end > longest and not self._apart(end, start) for end, start in gaps)
+        return modal_contacts.unsure(self.record, self.deepest, self._runs, self._resolves, longest, *self._asked())
 
     def contacts(self) -> list[ContactPeriod]:
         """Contact periods as far as these modes resolve them, by the resolved force: the rest is chatter."""
-        starts, ends = (edges.tolist() for edges in self.raw_contacts())
-        parts = [self._apart(end, start) for end, start in zip(ends[:-1], starts[1:], strict=True)]
-        firsts = [start for start, kept in zip(starts, [True, *parts], strict=True) if kept]
-        lasts = [end for end, kept in zip(ends, [*parts, True], strict=True) if kept]
-        found = []
-        for first, last in zip(firsts, lasts, strict=True):
-            force = self.record.contact_force[first:last]
-            peak = force.max()
-            if self.scene.rigid_contact:
-                peak = self.resolved_force(self._instants[first : last + 1]).max()
-            impulse = float(force.sum() * self.step)
-            found.append(ContactPeriod(self._start(first), self._end(last), impulse, float(peak)))
-        return found
-
-    def _start(self, first: int) -> float:
-        """When the faces met [s], in the first step with a force."""
-        dent = self._law.dent(float(self.deepest[first]))
-        if first == 0 or self.record.indentation[first] >= dent:
-            return first * self.step
-        return self.step * (first + _upward_zero(*(self.record.indentation[first - 1 : first + 2] - dent).tolist()))
-
-    def _end(self, after: int) -> float:
-        """When the force ran out [s], in the step before instant `after`; the end, if that comes too soon."""
-        dent = self._law.dent(float(self.deepest[after]))
-        depth = self.record.indentation
-        gap = float(depth[after]) - dent
-        if after == self.steps and gap > 0.0:
-            return self.duration
-        if not self.parted and after < self.steps and not self._every_gap_counts:
-            opened = dent - float(depth[after:].min())
-            soon = (self.steps - after) * self.step < self.pair.resolved_time
-            if soon or 0.0 < opened <= self._resolved_opening:
-                return self.duration
-        if gap > 0.0:  # damping has used up the force before the faces were apart; it is smooth up to there
-            return self.step * (after - 1 + run_out(*self.record.contact_force[max(after - 4, 0) : after - 1].tolist()))
-        later, before = float(depth[min(after + 1, self.steps)]) - dent, float(depth[after - 1]) - dent
-        return self.step * (after - _upward_zero(later, gap, before))
-
-
-def _upward_zero(before: float, x: float, y: float) -> float:
-    """Where between x <= 0 (at 0) and y (at 1) the parabola through both and `before` (at -1) rises through zero."""
-    bend = 0.5 * (before - 2.0 * x + y)
-    slope = (y - x) - bend
-    square = slope * slope - 4.0 * bend * x
-    if square > 0.0 and slope + np.sqrt(square) > 0.0:
-        place = -2.0 * x / (slope + np.sqrt(square))
-        if place <= 1.0:
-            return float(place)
-    return float(min(-x / (y - x), 1.0)) if y > 0.0 else 1.0
+        table = np.empty((self._runs.shape[0], modal_contacts.COLUMNS))
+        histories = self.record, self.deepest, self._impulses, self._runs
+        count = modal_contacts.contacts(*histories, self._resolves, *self._asked(), table)
+        return [ContactPeriod(*row) for row in table[:count].tolist()]
 
 
 def last_touch(scene: Scene, force: np.ndarray) -> int:

@@ -144,6 +144,19 @@ def test_a_slider_is_answered_at_once(opened):
     assert ratio > 1.0 and not tab.evaluate("() => strikewave.page.own.count")
 
 
+def test_the_method_beside_is_by_as_many_modes_as_are_chosen(opened):
+    tab = opened()
+    scene = scene_of("fixed-rod")
+    for modes in (50, 7, 200):
+        choose(tab, "modes", modes)
+        marched = tab.evaluate("() => strikewave.page.frame.modalForce.length")
+        beside = solvers.Modal(modes=modes, steps=marched).solve(scene, solvers.solve(scene).duration)
+        shown = tab.evaluate("() => strikewave.page.frame.other")
+        assert shown["peakForce"] == pytest.approx(beside.peak_force, rel=1e-9)
+        assert len(shown["contacts"]) == len(beside.contacts)
+    assert tab.errors == []
+
+
 def test_a_link_leads_to_a_scene_with_its_choices(opened):
     tab = opened("?scene=free-rod&mass_ratio=2.5&speed=3&layout=docks&tab=numbers")
     chosen = tab.evaluate("() => strikewave.page.frame.chosen")
@@ -160,7 +173,7 @@ def test_a_link_leads_to_a_scene_with_its_choices(opened):
     "query, said",
     [
         ("?scene=two-balls", "This page works without a server and does not have this scene."),
-        ("?modes=5", "Modes cannot be changed here: this page works without a server."),
+        ("?elements=5", "Elements cannot be changed here: this page works without a server."),
         ("?mass_ratio=1e9", "Mass ratio: 1000000000 is not possible. Choose a number from 0.001 to 1000."),
         ("?mass_ratio=heavy", "Mass ratio: heavy is not possible. Choose a number from 0.001 to 1000."),
         ("?target.length=2", "this page works without a server."),
@@ -173,7 +186,7 @@ def test_what_a_link_cannot_have_is_said_in_one_sentence(opened, query, said):
     assert tab.errors == []
 
 
-@pytest.mark.parametrize("name, value", [("modes", 5), ("speed", 1e9), ("bodies", "target.length=2.0")])
+@pytest.mark.parametrize("name, value", [("elements", 5), ("speed", 1e9), ("bodies", "target.length=2.0")])
 def test_what_cannot_be_chosen_is_set_back(opened, name, value):
     tab = opened()
     before = tab.evaluate("name => strikewave.page.model[name]", name)
@@ -227,7 +240,7 @@ def test_only_what_needs_no_server_is_offered(opened):
     closer = tab.get_by_role("navigation", name="Look closer")
     assert closer.get_by_role("button").all_inner_texts() == ["Charts", "Story", "Numbers"]
     fields = "() => [...strikewave.page.controls.root.querySelectorAll('.field')].filter((f) => !f.hidden).length"
-    assert tab.evaluate(fields) == 4
+    assert tab.evaluate(fields) == 5
     tab.get_by_role("button", name="Save", exact=True).click()
     assert tab.locator(".takes .drop button").count() == 3
     with tab.expect_download() as saved:

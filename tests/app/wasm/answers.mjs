@@ -29,5 +29,13 @@ function law([beta, reflection, name, constants, whole]) {
   return { ...listed, ...drawn(histories), ...path };
 }
 
+function modes([beta, reflection, name, constants, count, touching, duration]) {
+  const impact = found.modes(beta, reflection, { name, constants }, count, touching, duration);
+  if (!impact) return {};
+  const { contacts, force, mass, end, ...figures } = impact;
+  const rows = contacts.map((c) => [c.start, c.end, c.push, c.peak, c.after]);
+  return { ...figures, contacts: rows, force: [...force], mass: [...mass], end: [...end] };
+}
+
 const given = JSON.parse(readFileSync(0, 'utf8'));
-console.log(JSON.stringify({ rod: given.rod.map(rod), law: given.law.map(law) }));
+console.log(JSON.stringify({ rod: given.rod.map(rod), law: given.law.map(law), modes: given.modes.map(modes) }));

@@ -38,7 +38,8 @@ def law(scene: Scene) -> dict[str, list[float]] | None:
     drawn, out, contacts = Drawn.of(POINTS, INSTANTS, JUMPS), np.empty(law_drawn.COLUMNS), np.empty((CONTACTS, 5))
     cycle = tuple(np.empty(size) for size in (CYCLE, CYCLE, DEPTHS, DEPTHS))
     of_law = constants, given.plastic, given.lossy, given.pulse, given.masses
-    rooms = new_record(2, STRETCHES), new_state(given.chain, STRETCHES), new_work()
+    record = new_record(2, STRETCHES)
+    rooms = record, new_state(given.chain, STRETCHES), new_work()
     status = law_drawn.answer(
         given.chain, *rooms, law_function(struck), of_law, TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, POINTS,
         np.empty((CONTACTS, 2), np.int64), contacts, drawn, cycle, out,
@@ -49,4 +50,5 @@ def law(scene: Scene) -> dict[str, list[float]] | None:
     found = {name: getattr(drawn, name)[: points.get(name.split("_")[0])].tolist() for name in HISTORIES}
     found |= dict(zip(("depths", "presses", "loading", "unloading"), (each.tolist() for each in cycle), strict=True))
     count = int(out[law_drawn.CONTACTS])
-    return found | {"out": out[: law_drawn.CONTACTS].tolist(), "contacts": contacts[:count].ravel().tolist()}
+    figures = {"out": out[: law_drawn.CONTACTS].tolist(), "contacts": contacts[:count].ravel().tolist()}
+    return found | figures | {"filled": [float(record.count.max() / STRETCHES)]}

@@ -1,0 +1,78 @@
+// Figures of the browser's own answers, as the server gives them.
+
+/** @import { AxialFigures, AxialFrame } from '../messages.js' */
+/** @import { Contact, Impact } from './kernels.js' */
+
+/**
+ * @typedef {'apart' | 'compressing' | 'dissipated' | 'duration' | 'energy' | 'final' | 'impulse' | 'target'} Same
+ * @typedef {Pick<Impact, Same> & { contacts: Contact[], local: number, cycle: Dent | null }} Found
+ * @typedef {{ deepest: number, dent: number }} Dent  [v T]
+ */
+
+const CUT = { before: 0.02, share: 0.1 }; // of T, and of the peak: what a force still is that a wave cuts off
+
+/**
+ * @param {AxialFrame} frame  with its scales
+ * @param {AxialFigures} before  of another impact by the same method
+ * @param {Found} found
+ * @param {(time: number) => number} force  [Z v] over time [T]
+ * @returns {AxialFigures}
+ */
+export function figuresOf(frame, before, found, force) {
+  const { apart, compressing, contacts, cycle, dissipated, duration, energy, final, impulse, local } = found;
+  const { forceUnit, impactor, speed, target, trip } = frame;
+  const last = contacts[contacts.length - 1];
+  const targetFinal = target.held ? 0 : found.target;
+  const moving = (/** @type {number} */ mass, /** @type {number} */ v) => 0.5 * mass * (speed * v) ** 2;
+  const whole = target.held ? 0 : moving(target.mass, targetFinal);
+  const unit = forceUnit * speed * trip;
+  const energies = {
+    ...{ initial: moving(impactor.mass, 1), impactor: moving(impactor.mass, final), target_rigid: whole },
+    ...{ target_vibration: unit * energy - whole, local: unit * local, dissipated: unit * dissipated },
+  };
+  const { initial, ...parts } = energies;
+  const off = Object.values(parts).reduce((sum, part) => sum + part, -initial) / initial;
+  const together = last.end >= duration * (1 - 1e-12); // nothing is restored yet
+  return {
+    ...before,
+    contacts: contacts.map(({ start, end, peak, push }) => [start, end, forceUnit * trip * push, forceUnit * peak]),
+    cutOff: contacts.map((contact) => cutOff(contact, force)),
+    left: contacts.map(({ after }) => after),
+    final,
+    targetFinal,
+    stillTouching: last.end >= duration * (1 - 1e-9),
+    peakIndentation: cycle && speed * trip * cycle.deepest,
+    residualIndentation: cycle && speed * trip * cycle.dent,
+    peakForce: forceUnit * Math.max(...contacts.map(({ peak }) => peak)),
+    restitution: {
+      newton: together ? null : targetFinal - final,
+      poisson: !together && compressing > 0 ? impulse / compressing - 1 : null,
+      newton_at_contact: together ? null : apart,
+    },
+    energy: energies,
+    diagnostics: { ...before.diagnostics, energy_error: off },
+    notes: [],
+  };
+}
+
+/**
+ * What the impulse is off by, as a share of what the striker brings: by its own loss, and by what the target has.
+ * @param {AxialFrame} frame  with its scales
+ * @param {Impact} found
+ */
+export function unbalanced({ forceUnit, impactor, speed, target, trip }, found) {
+  const lost = 1 - found.final;
+  const pushed = (forceUnit * trip * found.impulse) / (impactor.mass * speed);
+  const gained = target.held ? lost : (target.mass * found.target) / impactor.mass;
+  return Math.max(Math.abs(lost - pushed), Math.abs(gained - lost));
+}
+
+/**
+ * Whether the force was taken away at once by an arriving wave, rather than fading to zero.
+ * @param {Contact} contact
+ * @param {(time: number) => number} force  [Z v], as the peak
+ */
+function cutOff({ start, end, peak }, force) {
+  const before = end - CUT.before;
+  return end >= 1 - 1e-9 && before > start && force(before) > CUT.share * peak;
+}
