@@ -39,7 +39,7 @@ from .encoding import (
     whole_numbers,
 )
 from .fall import fall_fields
-from .laws import law_fields
+from .laws import laws_of_a_rod
 from .parts import common
 from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_force
 from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
@@ -90,7 +90,7 @@ def axial_frame(request: Request) -> bytes:
         "stressUnit": stress_unit,
         "modes": request.modes,
         "step": None if marched is None else marched.step / trip,
-        "usualSteps": carried is not None and "steps" not in own_options(scene, Modal.NAME),
+        "usualSteps": carried is not None and not {"steps", "residual"} & own_options(scene, Modal.NAME).keys(),
         "attached": other is not None and other.method.get("frame") == "attached",
         "exact": _figures(exact) | {"name": known_as(exact)},
         "gaps": _gaps(exact),
@@ -99,7 +99,7 @@ def axial_frame(request: Request) -> bytes:
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
         "rigid": scene.rigid_contact,
-        "laws": law_fields(scene, request.chosen),
+        "laws": laws_of_a_rod(scene, request.chosen),
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
         "yields": scene.contact.PLASTIC,

@@ -5,13 +5,18 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Bending, Scene, SceneError, Solution
+from solvers import Beam, Bending, Modal, Scene, SceneError, Solution
 from solvers.accuracy.reference import MODES_BESIDE, modes_beside
+from solvers.bodies import RigidMass
+from solvers.contact.viscous import LEAST_RESTITUTION
+from solvers.methods.modal.motion import ModalMotion
 from solvers.numerics.beams.dispersion import dispersion
 from solvers.studies.contact_times import compare_with_half_space
 
+from ..choices.kinds import own_options
 from ..choices.request import Request
-from .transverse import Answer, comparison_arrays, field_arrays, impact_frame, main_solution
+from .laws import Units, law_fields
+from .transverse import DRAWN_MODES, Answer, comparison_arrays, field_arrays, impact_frame, main_solution
 
 SAMPLED_PLACES = 41  # of fields that are not by modes
 HALF_SPACE_POINTS = 160
@@ -24,8 +29,35 @@ def beam_frame(request: Request) -> bytes:
     scene, beside = request.scene, None if request.draft else modes_beside(request.scene, main)
     header, arrays = field_arrays(main, request.stretch, SAMPLED_PLACES)
     arrays |= _half_space(scene) | _speeds(scene, main) | comparison_arrays(main, header["places"])
-    header |= {"kind": "beam", "beam": _beam(scene.target)}
+    march = march_of(request, main)
+    laws = law_fields(scene, request.chosen, Units(1.0, 1.0)) if march else []
+    header |= {"kind": "beam", "beam": _beam(scene.target), "march": march, "laws": laws}
+    header |= {"leastRestitution": LEAST_RESTITUTION}
     return impact_frame(request, Answer(main, reason, beside), header, arrays)
+
+
+def march_of(request: Request, main: Solution) -> dict[str, Any] | None:
+    """What a browser needs to march the same modes by itself; None where it cannot, or has not all that is drawn."""
+    scene, motion = request.scene, main.known_motion
+    target, own = scene.target, own_options(scene, Modal.NAME)
+    if not isinstance(motion, ModalMotion) or not isinstance(scene.impactor, RigidMass) or not isinstance(target, Beam):
+        return None
+    modes, usual = motion.pair.target, {"modes", "residual"} >= own.keys()
+    still = not target.velocity and not target.acceleration and not target.swings
+    if not usual or not still or request.stretch or modes.frequencies.size > DRAWN_MODES:
+        return None
+    if scene.rigid_contact and not modes.residual_compliance:
+        return None
+    return {
+        "frequencies": modes.frequencies.tolist(),
+        "atContact": modes.at_contact.tolist(),
+        "compliance": modes.residual_compliance,
+        "whole": None if target.held else target.mass,
+        "mean": modes.rigid_mean,
+        "longest": scene.time_unit,
+        "turns": target.turns,
+        "duration": scene.method.get("duration"),
+    }
 
 
 def _beam(beam: Any) -> dict[str, Any]:

@@ -15,6 +15,8 @@ import numpy as np
 from solvers import Balance, QuasiStatic, RigidImpulse, Scene, Solution, Waves
 from solvers.contact import PlasticPower
 from solvers.methods.modal.motion import ModalMotion
+from solvers.numerics.modal_drawn import early_instant
+from solvers.numerics.waves.drawn import BEYOND
 from solvers.solution.touch import pressing
 from solvers.text.notes import Note
 
@@ -33,7 +35,6 @@ SHOWN = (
     "frame",
 )  # keys of a method that the page sets, or shows
 CHECKED = bool(os.environ.get("IMPACT_CHECK_MESSAGES"))  # set by the tests: takes a twelfth of making a message
-EARLY = 0.15  # share of instants that are evenly spread; the others are closer together at first
 CYCLE_POINTS, IMPACT_POINTS = 60, 300  # of the contact law's cycle, and of the impact in it
 
 
@@ -98,7 +99,7 @@ def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, Any]:
     law, deepest = exact.scene.contact, exact.peak_indentation
     if deepest is None or deepest <= 0.0:
         return {}
-    time = np.linspace(0.0, min(exact.duration, 1.02 * exact.contacts[-1].end), samples)
+    time = np.linspace(0.0, min(exact.duration, BEYOND * exact.contacts[-1].end), samples)
     if isinstance(exact.motion, ModalMotion):  # its force is constant over each step: given in the middle
         time = (np.floor(time / exact.motion.step) + 0.5) * exact.motion.step
     depth = exact.known_motion.impactor_position(time) - exact.known_motion.end_position(time)
@@ -198,8 +199,7 @@ def instants(duration: float, count: int, stretch: Stretch = None) -> np.ndarray
     """Times [s] from 0 to the end, closer together at first; evenly over a stretch that is looked at closely."""
     if stretch:
         return over(stretch, duration, count)
-    even = np.linspace(0.0, 1.0, count)
-    return duration * (EARLY * even + (1.0 - EARLY) * even**2)
+    return early_instant(np.arange(count), count, duration)
 
 
 def over(stretch: Stretch, duration: float, count: int) -> np.ndarray:

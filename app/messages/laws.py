@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from solvers import LAWS, Modal, Rod, Scene, SceneError, Waves
 from solvers.bodies import RigidMass
@@ -20,25 +20,38 @@ DAMPED = 0.5  # a restitution at which it shows how damping grows
 SAME = 1e-9  # relative difference of constants that are the same but for rounding
 
 
-def law_fields(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Every contact law that can be chosen for a mass on a rod, the scene's own with its own constants.
-
-    Constants are in units of T, v and Z v. They are products of powers, so that what doubling does to them tells how
-    they grow. A damping grows where it follows from a restitution, which stays. One that is found by integration is
-    left out unless it acts.
-    """
-    impactor, target, own = scene.impactor, scene.target, scene.contact
-    if not isinstance(impactor, RigidMass) or not isinstance(target, Rod):
+def laws_of_a_rod(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """`law_fields` of a mass on a uniform rod; none for others."""
+    target = scene.target
+    if not isinstance(scene.impactor, RigidMass) or not isinstance(target, Rod):
         return []
     if target.support == "anechoic" or target.end_mass or target.velocity:
         return []
     if chosen["method"] not in (Waves.NAME, Modal.NAME):
         return []
+    return law_fields(scene, chosen, Units(scene.time_unit, target.impedance))
+
+
+class Units(NamedTuple):
+    """In which the browser has the constants of a law, besides the speed v of the impact."""
+
+    time: float  # [s]
+    impedance: float  # [kg/s], of forces
+
+
+def law_fields(scene: Scene, chosen: Mapping[str, Any], units: Units) -> list[dict[str, Any]]:
+    """Every contact law that can be chosen for a mass that strikes, the scene's own with its own constants.
+
+    They are products of powers, so that what doubling does to them tells how
+    they grow. A damping grows where it follows from a restitution, which stays. One that is found by integration is
+    left out unless it acts.
+    """
+    impactor, target, own = scene.impactor, scene.target, scene.contact
     opened: Any = base_of(chosen["scene"], chosen["bodies"]).contact
     found = []
     for name, kind in LAWS.items():
         if name == own.NAME:
-            found.append(_record(scene, own, scene.given.get("contact", {}), _table(chosen, name)))
+            found.append(_record(scene, own, scene.given.get("contact", {}), _table(chosen, name), units))
         elif not kind.LOSSY or kind.EXPONENT is not None:
             table = _table(chosen, name)
             try:
@@ -46,7 +59,7 @@ def law_fields(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
             except SceneError:  # a choice that is not in view is beyond what this law takes
                 continue
             if name != opened.NAME or _alike(law, opened):  # else the scene comes back to more than the choices say
-                found.append(_record(scene, law, table, table))
+                found.append(_record(scene, law, table, table, units))
     return found
 
 
@@ -54,7 +67,7 @@ def _table(chosen: Mapping[str, Any], name: str) -> dict[str, Any]:
     return contact_table({**chosen, "law": name})
 
 
-def _record(scene: Scene, law: Any, given: Mapping[str, Any], table: dict[str, Any]) -> dict[str, Any]:
+def _record(scene: Scene, law: Any, given: Mapping[str, Any], table: dict[str, Any], units: Units) -> dict[str, Any]:
     """A law, `given` as it is and set by the table of the choices."""
     record: dict[str, Any] = {
         "name": law.NAME,
@@ -76,17 +89,17 @@ def _record(scene: Scene, law: Any, given: Mapping[str, Any], table: dict[str, A
     def constants(times: float = 1.0, mass: float | None = None) -> list[float]:
         """Those at a speed so many times as high, or of another mass that strikes."""
         other = replace(impactor, velocity=target.velocity + times * scene.speed, mass=mass or impactor.mass)
-        return _scaled(scene, kind.read(damped, other, target) if follows else law, times)
+        return _scaled(scene, kind.read(damped, other, target) if follows else law, times, units)
 
     felt_with_half = target.mass / (2.0 if target.held else 3.0)
-    record["constants"] = _scaled(scene, law, 1.0)
+    record["constants"] = _scaled(scene, law, 1.0, units)
     record["bySpeed"] = _powers(constants(), constants(2.0))
     record["byMass"] = _powers(constants(mass=felt_with_half), constants(mass=target.mass))
-    set_by = _scaled(scene, kind.read(table, impactor, target), 1.0)
+    set_by = _scaled(scene, kind.read(table, impactor, target), 1.0, units)
     if _alike(set_by, record["constants"]):
         other = table | ({"restitution": DAMPED} if "restitution" in table else {})
         usual, softer = (
-            _scaled(scene, kind.read(other | {"stiffness": times * table["stiffness"]}, impactor, target), 1.0)
+            _scaled(scene, kind.read(other | {"stiffness": times * table["stiffness"]}, impactor, target), 1.0, units)
             for times in (1.0, 0.5)
         )
         record["byStiffness"] = _powers(softer, usual)
@@ -110,10 +123,10 @@ def _capped(table: Mapping[str, Any], law: Any) -> bool:
     return most > STIFFNESS_RANGE[1]
 
 
-def _scaled(scene: Scene, law: Any, times: float) -> list[float]:
+def _scaled(scene: Scene, law: Any, times: float, units: Units) -> list[float]:
     """Its constants, at a speed that is so many times as high."""
     speed = times * scene.speed
-    return list(law.scaled(speed * scene.time_unit, speed, scene.target.known_as(Rod).impedance * speed))
+    return list(law.scaled(speed * units.time, speed, units.impedance * speed))
 
 
 def _powers(before: list[float], after: list[float]) -> list[float]:

@@ -162,7 +162,7 @@ RECORDS: dict[str, Fields] = {
         "yields": Field("boolean"),
         "exponent": Field("number", "power of the indentation with which its force begins"),
         "nominal": Field("number | null", "restitution by its usual formula"),
-        "constants": Field("number[]", "in units of T, v and Z v; none of a rigid contact"),
+        "constants": Field("number[]", "in units of T, v and Z v, or as stated; none of a rigid contact"),
         "bySpeed": Field("number[]", "powers with which they grow with the speed"),
         "byMass": Field("number[]", "with the mass that both bodies are felt with"),
         "byStiffness": Field("number[]", "and with the choice that sets the stiffness"),
@@ -170,6 +170,16 @@ RECORDS: dict[str, Fields] = {
         "damping": Field(
             "[place: number, unit: number] | null", "constant that a restitution sets, and its value at the number one"
         ),
+    },
+    "MarchRecord": {
+        "frequencies": Field("number[]", "of what is struck [rad/s]"),
+        "atContact": Field("number[]", "mass-normalised amplitudes where it is struck [kg^-1/2]"),
+        "compliance": Field("number", "of the modes left out [m/N]"),
+        "whole": Field("number | null", "mass of what is struck [kg]; null if it is held"),
+        "mean": Field("number", "its mean velocity over that of the struck place, as a whole"),
+        "longest": Field("number", "its slowest period [s]"),
+        "turns": Field("boolean", "whether it turns as a whole"),
+        "duration": Field("number | null", "that the scene asks for [s]"),
     },
     "RodRecord": {
         "from": Field("number", "from the struck face [m]"),

@@ -196,6 +196,12 @@ BENDING: Fields = {  # of a beam, or the struck link of a mechanism
         }
     ),
 }
+BEAM: Fields = {
+    **BENDING,
+    "march": Field("MarchRecord | null", "by which a browser finds the same impact with other choices"),
+    "laws": Field("LawRecord[]", "that can be chosen there, in units of s, v and kg v/s"),
+    "leastRestitution": Field("number", "that a damped law can deliver"),
+}
 MECHANISM: Fields = {
     **BENDING,
     "mechanism": Field("MechanismRecord", "of which the struck link stands for the beam"),
@@ -257,7 +263,7 @@ BODIES: Fields = {
     ),
 }
 FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "mechanism": "MechanismFrame", "bodies": "SpaceFrame"}
-MESSAGES = {"axial": AXIAL, "beam": BENDING, "mechanism": MECHANISM, "bodies": BODIES}  # by kind
+MESSAGES = {"axial": AXIAL, "beam": BEAM, "mechanism": MECHANISM, "bodies": BODIES}  # by kind
 
 
 def check(header: dict[str, Any], shapes: dict[str, tuple[int, ...]]) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 from solvers import Modal, Rod, Solution
 from solvers.accuracy.reference import exact_solution
 from solvers.methods.multibody.method import Multibody
-from solvers.numerics.modal_drawn import steps_drawn
+from solvers.numerics.modal_steps import steps_drawn
 from solvers.solution.summary import touching
 
 from ..choices.choices import SOLVED_BY

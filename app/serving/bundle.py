@@ -15,6 +15,7 @@ IMPORT = re.compile(r"^import (?:\{([^}]*)\}|\* as (\w+)) from '([^']+)';\n", re
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function\*?|class|const) (\w+))", re.MULTILINE)
 LATE = re.compile(r"\bimport\(`\./([^`]*)`\)")  # of a module in the same folder, known only when it runs
 COMMENT = re.compile(r"^[ \t]*(?:/\*\*(?:(?!\*/)[\s\S])*\*/|//.*)\n", re.MULTILINE)  # that has its lines to itself
+CAST = re.compile(r"/\*\* @\w+ [^*]*\*/ ?")  # of a type, within a line
 APART = re.compile(r"\bimport\(new URL\(")  # of what is fetched when it is asked for, with a bundle of its own
 ADDRESS = "ADDRESS_OF_ALL"  # stands for that of the folder of all modules
 OTHER = re.compile(r"^(?:import|export)\b(?! \{\};).*|\bimport\([^)]", re.MULTILINE)
@@ -45,15 +46,17 @@ def bundle(root: Path, entry: str, texts: str = "", beside: str = "") -> str:
     )
 
 
-def function(root: Path, entries: Iterable[str], name: str) -> str:
+def function(root: Path, entries: Iterable[str], name: str, without: Iterable[str] = ()) -> str:
     """The same as a function of this name, of a script that is no module, which pages from the disk may load: it runs
-    the entries in turn. Addresses are from the document's own; what is imported while running is not there.
+    the entries in turn. Addresses are from the document's own; what is imported while running is not there. What others
+    import from the folders `without` is undefined.
     """
     parts: list[str] = []
-    there: dict[str, bool] = {}
+    there = {f"{folder}/{each.name}": True for folder in without for each in (root / folder).glob("*.js")}
+    absent = "".join(f"modules['{each}'] = {{}};\n" for each in there)
     for entry in entries:
         _add(root, entry, there, parts, late=False)
-    text = "".join(parts).replace(ADDRESS, "globalThis.document.baseURI")
+    text = absent + "".join(parts).replace(ADDRESS, "globalThis.document.baseURI")
     return f"globalThis.{name} = async () => {{\nconst modules = (globalThis.strikewaveModules = {{}});\n{text}}};\n"
 
 
@@ -65,7 +68,7 @@ def _add(root: Path, name: str, state: dict[str, bool], parts: list[str], late: 
             raise ValueError(f"{name} imports itself by way of others")
         return
     state[name] = False
-    text, folder = COMMENT.sub("", (root / name).read_text("utf-8")), PurePosixPath(name).parent
+    text, folder = CAST.sub("", COMMENT.sub("", (root / name).read_text("utf-8"))), PurePosixPath(name).parent
     needed = [_inside(folder / path) for *_, path in IMPORT.findall(text)]
     if late and LATE.search(text):  # whichever it will be: all there that stand alone or are needed by others too
         needed += sorted(

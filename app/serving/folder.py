@@ -26,11 +26,19 @@ from .still import first_still
 HERE = Path(__file__).parent
 # of which those before the last come late where there is a server
 ENTRIES = ("gallery/gallery.js", "take/files.js", "offline/page.js")
-REMADE = (
-    *("f0Time", "f0", "motionTime", "exactMass", "exactEnd", "exactWhole", "exactTime", "exactForce"),
-    *("cycleDepth", "cycleLoading", "cycleUnloading", "blowForce", "touchTime", "touchPressure"),
-)
-REMADE_BESIDE = ("modalForce", "otherMass", "otherEnd")  # where modes are marched as usual
+WITHOUT = ("mechanism", "space")  # kinds of scene that no kernel here answers
+CYCLE = ("cycleDepth", "cycleLoading", "cycleUnloading", "blowForce", "touchTime", "touchPressure")
+REMADE = {  # by kind of message: histories that kernels make anew, or that only a server has of other choices
+    "axial": ("f0Time", "f0", "motionTime", "exactMass", "exactEnd", "exactWhole", "exactTime", "exactForce", *CYCLE),
+    "beam": (
+        *("time", "impactorPath", "struckPath", "impactorRate", "struckRate", "rates", "modalForce", *CYCLE),
+        *("referenceImpactorPath", "referenceStruckPath", "referenceTime", "referenceForce"),
+        *("staticTime", "staticPath", "halfTime", "halfForce", "touchFlow", "flowDepth", "flowPressure"),
+        *("flowRadius", "flowElastic", "testsDepth", "testsPressure", "testsForce"),
+    ),
+}
+FLOWING = ("blowDepth", "touchRadius")  # beside a flow that only a server knows
+REMADE_BESIDE = ("modalForce", "otherMass", "otherEnd")  # of a rod, where modes are marched as usual
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
     "img-src data: blob:; media-src blob:; font-src data:; base-uri 'none'; form-action 'none'"
@@ -60,7 +68,7 @@ def export(folder: Path, laboratory: str, language: str) -> Exported:
         "index.html": _document(language).encode(),
         "kernels.js": script("strikewaveKernels", kernels).encode(),
         "scenes.js": _scenes(names, laboratory, language).encode(),
-        "page.js": function(STATIC, ENTRIES, "strikewavePage").encode(),
+        "page.js": function(STATIC, ENTRIES, "strikewavePage", WITHOUT).encode(),
         "start.js": text_of(STATIC / "offline/start.js"),
         SHEETS: text_of(STATIC / SHEETS),
         "gallery/gallery.css": text_of(STATIC / "gallery/gallery.css"),
@@ -91,10 +99,14 @@ def _document(language: str) -> str:
 
 
 def _scenes(names: list[str], laboratory: str, language: str) -> str:
-    """A script with texts, choices and a message of each scene, packed: a header in JSON, and the messages after it."""
-    messages = [_without_remade(solve_frame(Choices(scene=name, **choices_of(name)).chosen())) for name in names]
+    """A script with texts, choices and a message of each scene, packed: a head in JSON, then the headers of all
+    messages, which are much alike, then their arrays, of which many have the same.
+    """
+    parts = [_parts_of(solve_frame(Choices(scene=name, **choices_of(name)).chosen())) for name in names]
+    pool: dict[bytes, int] = {}
+    messages = [[len(header), [pool.setdefault(each, len(pool)) for each in arrays]] for header, arrays in parts]
     spec = spec_of_choices()
-    known = {law["name"] for message in messages for law in read_header(message)["laws"]}
+    known = {law["name"] for header, _ in parts for law in json.loads(header)["laws"]}
     laws = [name for name in spec["law"]["options"] if name in known]
     head = {
         "texts": {"language": language, "texts": page(language).texts},
@@ -102,10 +114,12 @@ def _scenes(names: list[str], laboratory: str, language: str) -> str:
         "gallery": _gallery(set(names)),
         "kernels": sources(),
         "laboratory": laboratory,
-        "sizes": [len(message) for message in messages],
+        "messages": messages,
+        "sizes": [len(each) for each in pool],
     }
     text = json.dumps(head, ensure_ascii=False, separators=(",", ":")).encode()
-    return script("strikewavePacked", len(text).to_bytes(4, "little") + text + b"".join(messages))
+    headers = b"".join(header for header, _ in parts)
+    return script("strikewavePacked", len(text).to_bytes(4, "little") + text + headers + b"".join(pool))
 
 
 def script(name: str, content: bytes) -> str:
@@ -125,19 +139,21 @@ def _gallery(names: set[str]) -> dict[str, Any]:
     }
 
 
-def _without_remade(message: bytes) -> bytes:
-    """A message whose histories are empty where the kernels of the browser make them anew."""
+def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
+    """Header and arrays of a message, of which those are empty that the kernels of the browser make anew."""
     header, at = read_header(message), 4 + int.from_bytes(message[:4], "little")
-    kept, remade = [], REMADE + (REMADE_BESIDE if header["usualSteps"] else ())
+    remade = REMADE[header["kind"]] + (REMADE_BESIDE if header.get("usualSteps") else ())
+    if any(name == "touchFlow" for name, *_ in header["arrays"]):
+        remade += FLOWING
+    arrays = []
     for entry in header["arrays"]:
-        _, shape, *unit = entry
+        name, shape, *unit = entry
         size = (2 if unit else 4) * math.prod(shape)
         size += -size % 4
-        if entry[0] in remade:
+        if name in remade:
             entry[1] = [0]
         else:
-            kept.append(message[at : at + size])
+            arrays.append(message[at : at + size])
         at += size
     text = json.dumps(header, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    return len(text).to_bytes(4, "little") + text + b"".join(kept)
+    return text + b" " * (-len(text) % 4), arrays

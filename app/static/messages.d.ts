@@ -169,12 +169,23 @@ export interface LawRecord {
   yields: boolean;
   /** power of the indentation with which its force begins */ exponent: number;
   /** restitution by its usual formula */ nominal: number | null;
-  /** in units of T, v and Z v; none of a rigid contact */ constants: number[];
+  /** in units of T, v and Z v, or as stated; none of a rigid contact */ constants: number[];
   /** powers with which they grow with the speed */ bySpeed: number[];
   /** with the mass that both bodies are felt with */ byMass: number[];
   /** and with the choice that sets the stiffness */ byStiffness: number[];
   /** that choice; null if it sets more than these powers tell */ stiffness: string | null;
   /** constant that a restitution sets, and its value at the number one */ damping: [place: number, unit: number] | null;
+}
+
+export interface MarchRecord {
+  /** of what is struck [rad/s] */ frequencies: number[];
+  /** mass-normalised amplitudes where it is struck [kg^-1/2] */ atContact: number[];
+  /** of the modes left out [m/N] */ compliance: number;
+  /** mass of what is struck [kg]; null if it is held */ whole: number | null;
+  /** its mean velocity over that of the struck place, as a whole */ mean: number;
+  /** its slowest period [s] */ longest: number;
+  /** whether it turns as a whole */ turns: boolean;
+  /** that the scene asks for [s] */ duration: number | null;
 }
 
 export interface RodRecord {
@@ -432,6 +443,9 @@ export interface AxialFrame extends Common {
 
 export interface BeamFrame extends Bending {
   kind: 'beam';
+  /** by which a browser finds the same impact with other choices */ march: MarchRecord | null;
+  /** that can be chosen there, in units of s, v and kg v/s */ laws: LawRecord[];
+  /** that a damped law can deliver */ leastRestitution: number;
   /** of the arrays, by name */ shapes: Record<string, number[]>;
 }
 

@@ -78,11 +78,12 @@ export class Page {
     this.compare = new Compare(this);
     this.axial = new AxialView(this);
     this.beam = new BeamView(this);
-    this.mechanism = new MechanismView(this);
-    this.space = new SpaceView(this);
+    this.mechanism = MechanismView && new MechanismView(this); // a folder without a server has no such scenes
+    this.space = SpaceView && new SpaceView(this);
     const { axial, beam, mechanism, space: bodies } = this;
+    const all = Object.entries({ axial, beam, mechanism, bodies, fall: new FallView(this) }).filter(([, view]) => view);
     /** @type {Record<Frame['kind'], View & Kind> & { fall: View }} */
-    this.views = { axial, beam, mechanism, bodies, fall: new FallView(this) };
+    this.views = /** @type {any} */ (Object.fromEntries(all));
     this.analyses = new Analyses(this);
     this.closer = new Closer(this);
     this.own = new OwnAnswers(this);

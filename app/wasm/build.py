@@ -38,36 +38,35 @@ def build() -> bytes:
     if find_spec("ziglang") is None:
         raise NoLinker("No linker: pip install ziglang, as pinned in constraints.txt. The module that came is used.")
     with tempfile.TemporaryDirectory() as folder:
-        objects = []
-        for name, entry in ENTRIES.items():
-            objects.append(Path(folder) / f"{name}.o")
-            objects[-1].write_bytes(_object_of(name, entry.function, entry.signature))
-        linked = Path(folder) / "kernels.wasm"
+        compiled, linked = Path(folder) / "kernels.o", Path(folder) / "kernels.wasm"
+        compiled.write_bytes(_object())
         exports = [f"-Wl,--export={name}" for name in (*ENTRIES, "__heap_base")]
         command = [sys.executable, "-m", "ziglang", "cc", *LINKER, "-Wl,--no-entry", "-Wl,--strip-all", *exports]
-        subprocess.run([*command, *objects, "-o", linked], check=True)
+        subprocess.run([*command, compiled, "-o", linked], check=True)
         return signed(linked.read_bytes())
 
 
-def _object_of(name: str, function: Callable, signature: Any) -> bytes:
+def _object() -> bytes:
+    """All entries as one, so that what several call is there once."""
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
     machine = llvm.Target.from_triple(TRIPLE).create_target_machine(opt=3, reloc="static")
-    text, entry = _intermediate(function, signature)
     machine_of = {"triple": TRIPLE, "datalayout": str(machine.target_data)}
-    text = "\n".join(_rewritten(text.split("\n"), machine_of))
-    text += "".join(f"\ndefine internal void @{each}(ptr %p) {{\n  ret void\n}}\n" for each in NO_COUNTING)
-    text = text.replace("= common ", "= internal ")
-    text = text.replace(f'@"{entry}"', f"@{name}").replace(f"@{entry}(", f"@{name}(")
-    module = llvm.parse_assembly(text)
+    nothing = [f"define linkonce_odr void @{each}(ptr %p) {{\n  ret void\n}}" for each in NO_COUNTING]
+    module = llvm.parse_assembly("")
+    for name, entry in ENTRIES.items():
+        text, entered = _intermediate(entry.function, entry.signature)
+        text = "\n".join([*_rewritten(text.split("\n"), machine_of), *nothing]).replace("= common ", "= linkonce_odr ")
+        text = text.replace(f'@"{entered}"', f"@{name}").replace(f"@{entered}(", f"@{name}(")
+        module.link_in(llvm.parse_assembly(text))
     module.verify()
     for each in module.functions:
-        if not each.is_declaration and each.name != name:
+        if not each.is_declaration and each.name not in ENTRIES:
             each.linkage = "internal"
     builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=3))
     builder.getModulePassManager().run(module, builder)
     if "inttoptr (i64" in str(module):
-        raise ValueError(f"{name}: an address of this process is left in the code")
+        raise ValueError("an address of this process is left in the code")
     return machine.emit_object(module)
 
 

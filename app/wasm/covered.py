@@ -5,7 +5,7 @@ The browser's own word on each answer is `covers` in `app/static/wasm/answers.js
 
 from collections.abc import Callable, Mapping
 
-from solvers import RigidMass, Rod, Scene, Waves
+from solvers import Beam, Modal, RigidMass, Rod, Scene, Waves, usual_method
 
 
 def covered(scene: Scene) -> bool:
@@ -18,17 +18,34 @@ def covered_of(scenes: Mapping[str, Scene]) -> list[str]:
     return [name for name, scene in scenes.items() if covered(scene)]
 
 
-def _by_waves(scene: Scene) -> bool:
-    """A mass on one uniform rod at rest, fixed or free at its far end, by waves for as long as is usual."""
+def _mass_strikes(scene: Scene) -> bool:
+    return isinstance(scene.impactor, RigidMass) and "height" not in scene.given.get("impactor", {})
+
+
+def _on_rod(scene: Scene) -> bool:
+    """A mass on one uniform rod at rest, fixed or free at its far end, by waves or modes for as long as is usual."""
     target, method = scene.target, scene.method
-    if not isinstance(scene.impactor, RigidMass) or not isinstance(target, Rod):
+    if not _mass_strikes(scene) or not isinstance(target, Rod):
         return False
     plain = target.support in ("fixed", "free") and not target.end_mass and not target.velocity
-    usual = method.get("name", Waves.NAME) == Waves.NAME and "duration" not in method
-    return plain and usual and "height" not in scene.given.get("impactor", {})
+    name = method.get("name", Waves.NAME)
+    return plain and (
+        (name == Waves.NAME and "duration" not in method) or (name == Modal.NAME and method.keys() <= {"name", "modes"})
+    )
+
+
+def _on_beam(scene: Scene) -> bool:
+    """A mass across a beam at rest, by modes."""
+    target, method = scene.target, scene.method
+    if not _mass_strikes(scene) or not isinstance(target, Beam):
+        return False
+    still = not target.velocity and not target.acceleration and not target.swings
+    by_modes = method.get("name", usual_method(scene)) == Modal.NAME
+    return still and by_modes and method.keys() <= {"name", "modes", "residual", "duration"}
 
 
 ANSWERED_BY: dict[str, Callable[[Scene], bool]] = {  # by entry, as in `entries.ENTRIES`
-    "rod": lambda scene: scene.rigid_contact and _by_waves(scene),
-    "law": lambda scene: not scene.rigid_contact and _by_waves(scene),
+    "rod": lambda scene: scene.rigid_contact and _on_rod(scene),
+    "law": lambda scene: not scene.rigid_contact and _on_rod(scene),
+    "beam": _on_beam,
 }

@@ -14,13 +14,14 @@ SOURCES = (
     "numerics/rods.py",
     "contact/__init__.py",
 )  # of the library: with all that they import
+ENTRIES = ("entry.py", "wave_entries.py", "modal_entries.py", "entries.py")  # beside this
 SECTION = b"\x0bfingerprint"  # in which the module names the sources that it was made of
 
 
 def sources() -> str:
     """The fingerprint of what the module is made of: of kernels, and of the entries to them."""
-    entries = sha256(Path(__file__).with_name("entries.py").read_bytes()).hexdigest()[:12]
-    return f"{fingerprint([LIBRARY / each for each in SOURCES], deep=True)}-{entries}"
+    entries = b"".join(Path(__file__).with_name(each).read_bytes() for each in ENTRIES)
+    return f"{fingerprint([LIBRARY / each for each in SOURCES], deep=True)}-{sha256(entries).hexdigest()[:12]}"
 
 
 def named_in(module: bytes) -> str:

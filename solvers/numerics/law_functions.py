@@ -18,6 +18,7 @@ STEP_SIGNATURE = types.float64(
     types.Array(types.float64, 1, "C"), *[types.float64] * 6, types.Array(types.float64, 1, "C")
 )
 FORCE, STORED = range(2)  # what a law is asked for
+STEP, MEAN, UNLOADING = range(3)  # what one of several laws is asked for by a march
 ASK_SIGNATURE = types.float64(types.int64, types.Array(types.float64, 1, "C"), *[types.float64] * 4)
 
 
@@ -79,13 +80,16 @@ def any_stepped(kinds: Sequence[type]) -> type:
         others = choice(number + 1) if number + 1 < len(kinds) else None
 
         @inner_kernel
-        def step(which, c, start, free, compliance, rate, expected, deepest, memory):
+        def step(question, which, c, start, free, compliance, rate, expected, deepest, memory):
             if others is None or which == number:
                 law = kind(*c[:count])
-                if compliance == 0.0:
+                if question == UNLOADING:
                     return 0.0, 0.0, 0.0, law.unloading(deepest)
+                if question == MEAN:
+                    mean, lost = law.mean(start, free, rate, deepest)
+                    return mean, 0.0, lost, memory
                 return law.mean_force(start, free, compliance, rate, expected, deepest, memory)
-            return others(which, c, start, free, compliance, rate, expected, deepest, memory)
+            return others(question, which, c, start, free, compliance, rate, expected, deepest, memory)
 
         return step
 
@@ -101,12 +105,14 @@ def any_stepped(kinds: Sequence[type]) -> type:
         c5: float
 
         def unloading(self, deepest):
-            constants = self.c0, self.c1, self.c2, self.c3, self.c4, self.c5
-            return chosen(self.number, constants, 0.0, 0.0, 0.0, 0.0, 0.0, deepest, (0.0, 0.0))[3]
+            return chosen(UNLOADING, self.number, self[1:], 0.0, 0.0, 0.0, 0.0, 0.0, deepest, (0.0, 0.0))[3]
+
+        def mean(self, start, end, rate, deepest):
+            found = chosen(MEAN, self.number, self[1:], start, end, 0.0, rate, 0.0, deepest, (0.0, 0.0))
+            return found[0], found[2]
 
         def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
-            constants = self.c0, self.c1, self.c2, self.c3, self.c4, self.c5
-            return chosen(self.number, constants, start, free, compliance, rate, expected, deepest, memory)
+            return chosen(STEP, self.number, self[1:], start, free, compliance, rate, expected, deepest, memory)
 
     return AnyStepped
 

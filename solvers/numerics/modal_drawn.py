@@ -6,29 +6,27 @@ As in `waves.drawn`, so that it can be compiled ahead of time for where there is
 from typing import NamedTuple
 
 import numpy as np
+from numba.extending import register_jitable
 
 from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts
-from .oscillators import STEPS_PER_PERIOD, Bank, Record, march_in_place, rate_at, ringing, set_bank
-from .waves.drawn import NO_ROOM, SOLVED, instant
-from .waves.laws import DENT, STORED
+from .modal_steps import LEAST_STEPS, usual_step
+from .oscillators import Bank, Record, carried_to, march_in_place, rate_at, residual_spring, ringing, set_bank
+from .waves.drawn import BEYOND, NO_ROOM, SOLVED, instant
+from .waves.laws import DENT, FORCE, STORED
 
 # what `answer` writes into `out`, in the units of its arguments; energies of what is struck and of the contact; WINDOW:
 # shortest kept period; TOUCHES: contacts with all chatter, HIGHEST: the largest force of these
 IMPULSE, FINAL, TARGET, APART, COMPRESSING, STRUCK, LOCAL, DISSIPATED, DEEPEST, DENT_LEFT = range(10)
 STEPS, WINDOW, TOUCHES, HIGHEST, CONTACTS = range(10, 15)
-COLUMNS = 15
-STEPS_OF_TOUCH, LEAST_STEPS, MOST_STEPS = 500.0, 1_000.0, 10_000.0  # of the time in which they touch; of all
+STEP, DURATION = range(15, 17)  # of a beam: of the forces that are drawn, and of all
+COLUMNS = 17
 LEFT = modal_contacts.COLUMNS  # column of its contacts: velocity of the impactor at the end
 CONTACT_COLUMNS = LEFT + 1
 
 
-@kernel
-def steps_drawn(period, touching, duration):
-    """In how many steps modes are marched for a picture: shortest kept period, time until the last parting, and all."""
-    steps = max(STEPS_PER_PERIOD * duration / period, STEPS_OF_TOUCH * duration / touching, LEAST_STEPS)
-    return int(min(steps, MOST_STEPS) + 1e-6)  # as many whatever rounding makes of it
+EARLY = 0.15  # share of instants that are evenly spread; the others are closer together at first
 
 
 class March(NamedTuple):
@@ -41,6 +39,30 @@ class March(NamedTuple):
     deepest: np.ndarray  # (steps + 1,)
     impulses: np.ndarray
     runs: np.ndarray  # (steps // 2 + 1, 2) of integers
+    slopes: np.ndarray  # (2,), for a law
+
+
+class Bent(NamedTuple):
+    """What is drawn of an impact across, closer together at first."""
+
+    time: np.ndarray  # (instants,)
+    impactor: np.ndarray  # (instants,), displacement; and of the struck place
+    struck: np.ndarray
+    impactor_rate: np.ndarray  # velocity; and of the struck place
+    struck_rate: np.ndarray
+    rates: np.ndarray  # (listed, 4): both as a contact begins and as it ends
+    force: np.ndarray  # (groups,), the mean over so many steps that there is room for all
+    depths: np.ndarray  # (cycle,), indentation of the impact at even times, and the force
+    presses: np.ndarray
+    loading: np.ndarray  # (depths,), force by the law at even depths, and on the way back
+    unloading: np.ndarray
+
+
+@register_jitable
+def early_instant(k, even, last):
+    """The k-th of so many times, closer together at first."""
+    share = k / (even - 1.0)
+    return last * (EARLY * share + (1.0 - EARLY) * share * share)
 
 
 @inner_kernel
@@ -54,70 +76,224 @@ def _at_rest(record, q, p):
 
 
 @inner_kernel
-def _motions(record, step, rigid, mass, end):
-    """Positions of the impactor and of the struck face at even times; in rigid contact they go together."""
-    last = step * record.contact_force.size
+def _together(record, rigid):
+    """Of a rigid contact, which has no indentation: while they touch the struck face goes with the impactor."""
     if rigid:
         for k in range(record.indentation.size):
             record.indentation[k] = min(record.indentation[k], 0.0)
-    for k in range(mass.size):
-        t = instant(k, mass.size, last)
-        mass[k] = modal_contacts.between(t, step, record.position)
-        end[k] = mass[k] - modal_contacts.between(t, step, record.indentation)
 
 
-@kernel
-def answer(
-    law, asked, of_law, residual, mass, rigid_mass, modes, step, stride, room, contacts, drawn, out,
-):  # fmt: skip
-    """March an impact at a speed of one on what is at rest, and write what is drawn of it.
-
-    law: with `mean_force` and `unloading`; asked: `waves.laws.law_function`; of_law: its constants, whether it is lossy
-    and whether it stands for a rigid contact; residual: `oscillators.Residual`; mass, rigid_mass: of the impactor, and
-    of the target as far as it moves as a whole, or infinity; modes: frequencies, amplitudes where it is struck and
-    damping ratios, (modes,) each; stride: steps between checkpoints; room: `March`, of as many steps as are marched;
-    contacts (room, CONTACT_COLUMNS); drawn: positions of the impactor and of the struck face at even times; out
-    (COLUMNS,). Returns SOLVED, or NO_ROOM.
-    """
-    room = refer(room)
-    record, bank, q, p = room.record, room.bank, room.displacement, room.velocity
-    (constants, lossy, rigid), (frequencies, at_contact, damping), force = of_law, modes, record.contact_force
-    set_bank(frequencies, at_contact, frequencies, damping, step, bank)
-    _at_rest(record, q, p)
-    march_in_place(
-        law, residual, mass, rigid_mass, 0.0, 0.0, step, bank, bank.cosine, bank.sine,
-        bank.turned_kick_displacement, bank.turned_kick_velocity, q, p, stride, 0, force.size, record,
+@inner_kernel
+def _cut(record, steps):
+    """The first steps alone."""
+    n = steps + 1
+    return Record(
+        record.contact_force[:steps], record.indentation[:n], record.position[:n], record.velocity[:n],
+        record.rigid_position[:n], record.rigid_velocity[:n], record.spring_force[:n], record.lost[:n],
+        record.checkpoint_displacement, record.checkpoint_velocity,
     )  # fmt: skip
-    modal_contacts.gathered(record, step, room.deepest, room.impulses)
-    out[WINDOW], slopes = 2.0 * np.pi / frequencies[frequencies.size - 1], contacts[contacts.shape[0] - 1, :2]
+
+
+@inner_kernel
+def _damped(record, compliance, ringing_still):
+    """What the oscillators have lost: the work that the contact force has done on them, less what they still have."""
+    received, before = 0.0, 0.0
+    for k in range(record.contact_force.size):
+        bent = record.position[k + 1] - record.rigid_position[k + 1] - record.indentation[k + 1]
+        bent -= compliance * record.spring_force[k + 1]
+        received, before = received + record.contact_force[k] * (bent - before), bent
+    return received - ringing_still
+
+
+@inner_kernel
+def _figures(asked, of_law, residual, bodies, modes, step, stride, record, room, every_gap, parted, contacts, out):
+    """Write contacts and figures of a march that has ended: see `answer`. Returns SOLVED, or NO_ROOM."""
+    bank, q, p = room.bank, room.displacement, room.velocity
+    (constants, lossy, rigid), (frequencies, at_contact, damping), force = of_law, modes, record.contact_force
+    (mass, rigid_mass, whole, mean), last = bodies, force.size
+    deepest, impulses = room.deepest[: last + 1], room.impulses[: last + 1]
+    modal_contacts.gathered(record, step, deepest, impulses)
+    out[WINDOW], slopes = 2.0 * np.pi / frequencies[frequencies.size - 1], room.slopes
     compliance = 1.0 / constants[0] if rigid else residual.compliance
-    opening = modal_contacts.least_opening(compliance, step, out[WINDOW], force, room.impulses)
-    known = modal_contacts.Resolved(step, out[WINDOW], opening, np.bool_(False), rigid, np.bool_(False))
+    opening = 0.0 if every_gap else modal_contacts.least_opening(compliance, step, out[WINDOW], force, impulses)
+    known = modal_contacts.Resolved(step, out[WINDOW], opening, every_gap, rigid, parted)
     touches = modal_contacts.touches(force, room.runs)
-    runs, table = room.runs[:touches], contacts[: contacts.shape[0] - 1]
-    count = modal_contacts.contacts(record, room.deepest, room.impulses, runs, known, asked, constants, slopes, table)
+    runs = room.runs[:touches]
+    count = modal_contacts.contacts(record, deepest, impulses, runs, known, asked, constants, slopes, contacts)
     if count < 1:
         return NO_ROOM
     for k in range(count):
         contacts[k, LEFT] = modal_contacts.between(contacts[k, modal_contacts.END], step, record.velocity)
-    out[TOUCHES], out[CONTACTS], out[STEPS], last = touches, count, force.size, force.size
-    out[IMPULSE], out[FINAL], out[TARGET] = room.impulses[last], record.velocity[last], record.rigid_velocity[last]
-    common = mass / (mass + rigid_mass)
+    out[TOUCHES], out[CONTACTS], out[STEPS] = touches, count, last
+    out[IMPULSE], out[FINAL] = impulses[last], record.velocity[last]
+    out[TARGET] = mean * record.rigid_velocity[last]
+    common = mass / (mass + whole)
     out[COMPRESSING] = mass * (1.0 - common) if out[FINAL] <= common else np.nan
-    out[STRUCK] = ringing(frequencies, damping, bank, q, p)
-    out[STRUCK] += 0.5 * rigid_mass * out[TARGET] ** 2 if rigid_mass < np.inf else 0.0
-    out[DEEPEST] = room.deepest[last]
+    carried_to(last, bank, record, stride, q, p)
+    still = ringing(damping, bank, q, p)
+    out[STRUCK] = still + (0.5 * rigid_mass * record.rigid_velocity[last] ** 2 if rigid_mass < np.inf else 0.0)
+    out[DEEPEST] = deepest[last]
     out[DENT_LEFT] = asked(DENT, constants, 0.0, 0.0, out[DEEPEST], slopes)
     stored = asked(STORED, constants, record.indentation[last], 0.0, out[DEEPEST], slopes)
     given_up = stored if lossy and runs[touches - 1, 1] < last else 0.0  # a dashpot has used up the force before
     out[LOCAL] = stored - given_up + 0.5 * residual.compliance * record.spring_force[last] ** 2
-    out[DISSIPATED] = record.lost[last] + given_up
+    damped = _damped(record, residual.compliance, still) if damping[0] > 0.0 else 0.0
+    out[DISSIPATED] = record.lost[last] + given_up + damped
     out[HIGHEST] = 0.0
     for k in range(last):
         out[HIGHEST] = max(out[HIGHEST], force[k])
-    parted = contacts[count - 1, modal_contacts.END]
-    out[APART] = modal_contacts.between(parted, step, record.rigid_velocity)
-    out[APART] -= modal_contacts.between(parted, step, record.velocity)
-    out[APART] += rate_at(parted, step, frequencies, at_contact, damping, bank, record, stride, q, p)
-    _motions(record, step, rigid, *drawn)
+    parted_at = contacts[count - 1, modal_contacts.END]
+    out[APART] = modal_contacts.between(parted_at, step, record.rigid_velocity)
+    out[APART] -= modal_contacts.between(parted_at, step, record.velocity)
+    out[APART] += rate_at(parted_at, step, frequencies, at_contact, damping, bank, record, stride, q, p)
+    return SOLVED
+
+
+@inner_kernel
+def _march(law, residual, bodies, step, stride, room, begin, end):
+    record, bank = room.record, room.bank
+    turning = bank.cosine, bank.sine, bank.turned_kick_displacement, bank.turned_kick_velocity
+    oscillators = room.displacement, room.velocity
+    march_in_place(
+        law, residual, bodies[0], bodies[1], 0.0, 0.0, step, bank, *turning, *oscillators, stride, begin, end, record
+    )
+
+
+@kernel
+def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, contacts, drawn, out):
+    """March an impact at a speed of one on what is at rest, and write what is drawn of it.
+
+    law: with `mean_force` and `unloading`; asked: `waves.laws.law_function`; of_law: its constants, whether it is lossy
+    and whether it stands for a rigid contact; residual: `oscillators.Residual`; bodies: mass of the impactor; of the
+    target as far as it moves as a whole at once, and altogether, or infinity; its mean velocity over that of the struck
+    place; modes: frequencies, amplitudes where it is struck and damping ratios, (modes,) each; stride: steps between
+    checkpoints; room: `March`, of as many steps as are marched; contacts (room, CONTACT_COLUMNS); drawn: positions of
+    the impactor and of the struck face at even times; out (COLUMNS,). Returns SOLVED, or NO_ROOM.
+    """
+    kept = refer(room)
+    set_bank(modes[0], modes[1], modes[0], modes[2], step, kept.bank)
+    _at_rest(kept.record, kept.displacement, kept.velocity)
+    _march(law, residual, bodies, step, stride, kept, 0, kept.record.contact_force.size)
+    no = np.bool_(False)
+    status = _figures(asked, of_law, residual, bodies, modes, step, stride, kept.record, kept, no, no, contacts, out)
+    _together(kept.record, of_law[2])
+    for k in range(drawn[0].size):
+        t = instant(k, drawn[0].size, step * kept.record.contact_force.size)
+        drawn[0][k] = modal_contacts.between(t, step, kept.record.position)
+        drawn[1][k] = drawn[0][k] - modal_contacts.between(t, step, kept.record.indentation)
+    return status
+
+
+@inner_kernel
+def _followed(law, residual, bodies, modes, step, stride, room, most, afterglow):
+    """March whole periods of the target until one has passed without a touch and none can come; how many steps are to
+    be seen, -1: no room. As `Modal` does."""
+    record, chunk, done = room.record, int(np.ceil(2.0 * np.pi / modes[0][0] / step)), 0
+    while done < most:
+        until = min(done + chunk, most)
+        if until > record.contact_force.size:
+            return -1, np.bool_(False)
+        _march(law, residual, bodies, step, stride, room, done, until)
+        last = until
+        while last > 0 and record.contact_force[last - 1] == 0.0:
+            last -= 1
+        if last <= done and record.rigid_velocity[until] > record.velocity[until]:
+            return min(until, last + int(np.ceil(afterglow / step))), np.bool_(True)
+        done = until
+    return done, np.bool_(False)
+
+
+@inner_kernel
+def _struck_rate(t, step, record):
+    """Velocity of the struck place over a step of the march."""
+    k = min(max(int(t / step), 0), record.contact_force.size - 1)
+    ahead = record.position[k + 1] - record.indentation[k + 1]
+    return (ahead - (record.position[k] - record.indentation[k])) / step
+
+
+@inner_kernel
+def _histories(record, step, contacts, count, drawn):
+    """What is drawn over time: see `Bent`."""
+    steps, even = record.contact_force.size, drawn.time.size
+    last = step * steps
+    for k in range(even):
+        t = early_instant(k, even, last)
+        drawn.time[k], drawn.impactor[k] = t, modal_contacts.between(t, step, record.position)
+        drawn.struck[k] = drawn.impactor[k] - modal_contacts.between(t, step, record.indentation)
+        drawn.impactor_rate[k] = modal_contacts.between(t, step, record.velocity)
+        drawn.struck_rate[k] = _struck_rate(t, step, record)
+    for k in range(min(count, drawn.rates.shape[0])):
+        for n in range(2):
+            t = min(contacts[k, n], last)  # START, END
+            drawn.rates[k, 2 * n] = modal_contacts.between(t, step, record.velocity)
+            drawn.rates[k, 2 * n + 1] = _struck_rate(t, step, record)
+    group = -(-steps // drawn.force.size)
+    for k in range(-(-steps // group)):
+        drawn.force[k] = 0.0
+        for n in range(k * group, min((k + 1) * group, steps)):
+            drawn.force[k] += record.contact_force[n] / group
+    return group
+
+
+@inner_kernel
+def _cycle(record, step, asked, constants, slopes, until, deepest, drawn):
+    """The law slowly to the greatest indentation and back, at even depths, and what the impact did, at even times."""
+    last = record.contact_force.size - 1
+    for k in range(drawn.depths.size):  # a force is constant over each step: given in the middle
+        cell = min(int(instant(k, drawn.depths.size, until) / step), last)
+        drawn.depths[k] = 0.5 * (record.indentation[cell] + record.indentation[cell + 1])
+        pressed = drawn.depths[k] > asked(DENT, constants, 0.0, 0.0, 0.0, slopes)
+        drawn.presses[k] = record.contact_force[cell] if pressed else 0.0
+    for k in range(drawn.loading.size):
+        depth = instant(k, drawn.loading.size, deepest)
+        drawn.loading[k] = asked(FORCE, constants, depth, 0.0, 0.0, slopes)
+        drawn.unloading[k] = asked(FORCE, constants, depth, 0.0, deepest, slopes)
+
+
+@kernel
+def answer_of_beam(
+    law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, room, contacts, drawn,
+    out,
+):  # fmt: skip
+    """The same of what is struck across, for a time that is asked for or, if that is 0, for as long as is usual.
+
+    compliance: of the modes left out; sudden: whether the force may jump, and whether the law yields; longest: slowest
+    period; limits: periods that are marched at most, and shown after the last parting; room: as many steps as there is
+    room for; drawn: `Bent`.
+    """
+    kept, (frequencies, at_contact, damping), (mass, rigid_mass, whole, _) = refer(room), modes, bodies
+    (constants, _, rigid), give = of_law, 0.0
+    for i in range(frequencies.size):
+        give += (at_contact[i] / frequencies[i]) ** 2
+    series = 0.0 if rigid else compliance
+    reduced, felt = 1.0 / (1.0 / mass + 1.0 / rigid_mass), 1.0 / (1.0 / mass + 1.0 / whole)
+    highest, no, yes = frequencies[frequencies.size - 1], np.bool_(False), np.bool_(True)
+    step = usual_step(law, series, reduced, 1.0, longest, longest, felt, give, highest, yes)
+    most, parted = int(np.ceil(limits[0] * longest / step)), no
+    if asked_time > 0.0:
+        most = max(LEAST_STEPS, int(np.ceil(asked_time / step)))
+        step = asked_time / most
+        if most > kept.record.contact_force.size:
+            return NO_ROOM
+    residual = residual_spring(series, step, 2.0 * np.pi / highest, sudden[0], sudden[1])
+    set_bank(frequencies, at_contact, frequencies, damping, step, kept.bank)
+    _at_rest(kept.record, kept.displacement, kept.velocity)
+    if asked_time > 0.0:
+        _march(law, residual, bodies, step, stride, kept, 0, most)
+    else:
+        most, parted = _followed(law, residual, bodies, modes, step, stride, kept, most, limits[1] * longest)
+        if most < 1:
+            return NO_ROOM
+    record = refer(_cut(kept.record, most))
+    status = _figures(
+        asked, of_law, residual, bodies, modes, step, stride, record, kept, not rigid, parted, contacts, out
+    )
+    if status != SOLVED:
+        return status
+    count, slopes = int(out[CONTACTS]), kept.slopes
+    _together(record, rigid)
+    out[STEP] = step * _histories(record, step, contacts, count, drawn)
+    until = min(step * most, BEYOND * contacts[count - 1, modal_contacts.END])
+    _cycle(record, step, asked, constants, slopes, until, out[DEEPEST], drawn)
+    out[DURATION] = step * most
     return SOLVED

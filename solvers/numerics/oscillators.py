@@ -17,10 +17,6 @@ from ..jit.kernels import allocating_kernel, inner_kernel, inner_summing_kernel,
 from ..jit.reference import refer
 from .arrays import copy_to, largest
 
-# Of the highest mode kept. Its motion is exact at any step: with fewer the contact force is, within a step, of a lower
-# order; `tests/solvers/methods/test_orders.py`.
-STEPS_PER_PERIOD = 20
-
 
 class Bank(NamedTuple):
     """One step of every oscillator, for arrays (modes,) holding at_contact * q and at_contact * q' / omega.
@@ -192,6 +188,7 @@ def _check_in(bank, record, row, stride, force, q, p):
         record.checkpoint_velocity[row, i] = p[i] + bank.kick_velocity[i] * force
 
 
+# The bank's own arrays, or copies of them, are given besides; q and p are left turned one step on, as for the next.
 @inner_summing_kernel
 def march_in_place(
     law, residual, mass, rigid_mass, fall, surge, step, bank,
@@ -254,28 +251,30 @@ def march_in_place(
 
 
 @inner_kernel
-def ringing(frequencies, damping, bank, q, p):
-    """Energy of all oscillators [J] that `march_in_place` has left turned a step too far."""
+def ringing(damping, bank, q, p):
+    """Energy of all oscillators [J]."""
     total = 0.0
-    for i in range(frequencies.size):
-        cosine, sine = bank.cosine[i], bank.sine[i]
-        shrunk = cosine * cosine + sine * sine
-        displacement, velocity = (cosine * q[i] - sine * p[i]) / shrunk, (cosine * p[i] + sine * q[i]) / shrunk
-        rate = math.sqrt(1.0 - damping[i] ** 2) * velocity - damping[i] * displacement
-        total += bank.energy[i] * (displacement * displacement + rate * rate)
+    for i in range(q.size):
+        rate = math.sqrt(1.0 - damping[i] ** 2) * p[i] - damping[i] * q[i]
+        total += bank.energy[i] * (q[i] * q[i] + rate * rate)
     return total
+
+
+@inner_kernel
+def carried_to(cell, bank, record, stride, q, p):
+    """Write the oscillators (modes,) at an instant of a march, from what is saved of every stride-th."""
+    saved = cell // stride
+    copy_to(q, record.checkpoint_displacement[saved])
+    copy_to(p, record.checkpoint_velocity[saved])
+    _advance(bank, q, p, record.contact_force, saved * stride, cell)
 
 
 @inner_kernel
 def rate_at(time, step, frequencies, at_contact, damping, bank, record, stride, q, p):
     """Velocity of the struck face by all oscillators [m/s] at any time of a march; q, p (modes,): room."""
-    force = record.contact_force
-    cell = min(max(int(time / step + 1e-9), 0), force.size - 1)
-    saved = cell // stride
-    copy_to(q, record.checkpoint_displacement[saved])
-    copy_to(p, record.checkpoint_velocity[saved])
-    _advance(bank, q, p, force, saved * stride, cell)
-    total, later, push = 0.0, time - cell * step, force[cell]
+    cell = min(max(int(time / step + 1e-9), 0), record.contact_force.size - 1)
+    carried_to(cell, bank, record, stride, q, p)
+    total, later, push = 0.0, time - cell * step, record.contact_force[cell]
     for i in range(frequencies.size):
         softness = (at_contact[i] / frequencies[i]) ** 2
         cosine, sine, kick, velocity_kick = _turn(frequencies[i] * later, softness, damping[i])

@@ -2,9 +2,10 @@
 // nothing is fetched: browsers allow neither to pages from the disk.
 
 /** @import { Carried } from '../shell/home.js' */
+/** @typedef {[header: number, arrays: number[]]} Pack  of a message: bytes, and which arrays follow */
 
 /**
- * A header in JSON and the messages behind it, as app/serving/folder.py has packed them.
+ * A head in JSON, and behind it the headers and the arrays of messages, as app/serving/folder.py has packed them.
  * @param {string} packed
  */
 const unpacked = async (packed) => {
@@ -14,9 +15,23 @@ const unpacked = async (packed) => {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   const whole = await new Response(stream).arrayBuffer();
   let at = 4 + new DataView(whole).getUint32(0, true);
-  const { sizes, texts, ...head } = JSON.parse(new TextDecoder().decode(new Uint8Array(whole, 4, at - 4)));
-  const messages = sizes.map((/** @type {number} */ size) => whole.slice(at, (at += size)));
-  return { texts, carried: /** @type {Carried} */ ({ ...head, messages }) };
+  const {
+    messages: packs,
+    sizes,
+    texts,
+    ...head
+  } = JSON.parse(new TextDecoder().decode(new Uint8Array(whole, 4, at - 4)));
+  const cut = (/** @type {number} */ size) => {
+    at += size;
+    return new Uint8Array(whole, at - size, size);
+  };
+  const headers = packs.map((/** @type {Pack} */ [size]) => cut(size));
+  const arrays = sizes.map(cut);
+  const messages = packs.map((/** @type {Pack} */ [size, numbers], /** @type {number} */ k) => {
+    const begins = new Uint8Array(new Uint32Array([size]).buffer);
+    return new Blob([begins, headers[k], ...numbers.map((n) => arrays[n])]).arrayBuffer();
+  });
+  return { texts, carried: /** @type {Carried} */ ({ ...head, messages: await Promise.all(messages) }) };
 };
 
 const begin = async () => {

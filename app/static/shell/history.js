@@ -93,7 +93,8 @@ export class History {
   follow() {
     const chosen = JSON.stringify(this.page.frame.chosen);
     const now = performance.now();
-    const goesOn = chosen !== this.followed && now - this.changed < PAUSE && this.entry && !this.going;
+    const soon = chosen !== this.followed && now - this.changed < PAUSE;
+    const goesOn = soon && this.entry && !this.going && this.entry.chosen.scene === this.page.frame.chosen.scene;
     this.followed = chosen;
     if (!goesOn) {
       this.write();
@@ -117,7 +118,8 @@ export class History {
     const { lent, plan } = page.opening;
     const state = { chosen, choices, kept: wanted, plan, lent, tab: page.layout.tabs.selected };
     const turned = (entry?.plan ?? plan) !== plan;
-    const others = turned || (entry && JSON.stringify(wanted) !== JSON.stringify(entry.kept ?? []));
+    const keeps = entry && JSON.stringify(wanted) !== JSON.stringify(entry.kept ?? []);
+    const others = turned || keeps || (entry && entry.chosen.scene !== chosen.scene); // each a step, however soon
     if (!entry || this.going || !(moved || others) || (!others && now - this.changed < PAUSE)) {
       if (moved) this.changed = now;
       this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, ...state }, address);

@@ -1,10 +1,21 @@
 // The browser's own answers, by the library's kernels: exact at every picture while a slider moves. Fetched once the
 // page stands; where it cannot be, the server answers alone.
 import { kernelsOf } from './kernels.js';
-import { follows, isRod, rodWith } from './rod.js';
+import * as beams from './bending.js';
+import * as rods from './rod.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
+
+/**
+ * Which choices are followed from which answers of the server, and how, by the kind of message.
+ * @type {Record<string, { follows: (frame: any, name: string) => boolean, is: (frame: any) => boolean,
+ *   made: (kernels: Kernels, frame: any, chosen: Chosen) => Frame | null }>}
+ */
+const KINDS = {
+  axial: { follows: rods.follows, is: rods.isRod, made: rods.rodWith },
+  beam: { follows: beams.follows, is: beams.isBent, made: beams.beamWith },
+};
 
 class Answers {
   /** @param {Kernels} kernels */
@@ -17,7 +28,8 @@ class Answers {
    * @param {string[]} changed
    */
   covers(frame, changed) {
-    return frame.kind === 'axial' && changed.every((name) => follows(frame, name)) && isRod(frame);
+    const kind = KINDS[frame.kind];
+    return Boolean(kind) && kind.is(frame) && changed.every((name) => kind.follows(frame, name));
   }
   /**
    * @param {Frame} frame  of the server, which it covers
@@ -25,7 +37,7 @@ class Answers {
    * @returns {Frame | null}
    */
   answer(frame, chosen) {
-    return frame.kind === 'axial' ? rodWith(this.kernels, frame, chosen) : null;
+    return KINDS[frame.kind]?.made(this.kernels, frame, chosen) ?? null;
   }
 }
 

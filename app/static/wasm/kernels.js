@@ -5,8 +5,11 @@ const [PAGE, NUMBER, ALIGNED] = [65536, 8, 64]; // bytes
 // numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py, and modal_drawn.py
 const CONTACT = { rod: 7, law: 5, modes: 5 };
 
+// of a beam: as in solvers/numerics/modal_drawn.py
+const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactorRate', 'struckRate']);
+
 /** @typedef {keyof typeof ROOM} Name  of a kernel */
-/** @import { LawRecord } from '../messages.js' */
+/** @import { LawRecord, MarchRecord } from '../messages.js' */
 
 /**
  * @typedef {object} Contact
@@ -65,6 +68,23 @@ const CONTACT = { rod: 7, law: 5, modes: 5 };
  * @property {Float64Array} end
  */
 
+/**
+ * What is struck across, and by what [s, kg].
+ * @typedef {object} Struck
+ * @property {number} mass  of what strikes
+ * @property {number} rigidMass  of what is struck, felt there, as is the next
+ * @property {number} whole
+ * @property {number} duration  0: as long as is usual
+ * @property {MarchRecord} march
+ * @property {number} damping
+ */
+/**
+ * An impact across, in s, kg and the speed of the impact.
+ * @typedef {Omit<ModalImpact, 'mass' | 'end'> & { step: number, steps: number } &
+ *   Record<'time' | 'impactor' | 'struck' | 'impactorRate' | 'struckRate' | 'rates', Float64Array> &
+ *   { cycle: Cycle }} BentImpact
+ */
+
 export class Kernels {
   /** @param {WebAssembly.Exports} exports */
   constructor(exports) {
@@ -74,7 +94,8 @@ export class Kernels {
     this.status = Math.ceil(heap.value / ALIGNED) * ALIGNED; // where a kernel leaves what it returns
     /** @type {Record<string, Record<string, number>>} */
     this.places = {}; // of each kernel: they work one after the other, all in the same room
-    let most = 0;
+    /** @type {Record<string, number>} */
+    this.ends = {}; // of that room
     for (const [name, sizes] of Object.entries(ROOM)) {
       let at = this.status + ALIGNED;
       this.places[name] = {};
@@ -82,9 +103,15 @@ export class Kernels {
         this.places[name][array] = at;
         at += Math.ceil((NUMBER * size) / ALIGNED) * ALIGNED;
       }
-      most = Math.max(most, at);
+      this.ends[name] = at;
     }
-    const missing = most - this.memory.buffer.byteLength;
+  }
+  /**
+   * Room for a kernel, made when it is first asked for.
+   * @param {Name} name
+   */
+  #room(name) {
+    const missing = this.ends[name] - this.memory.buffer.byteLength;
     if (missing > 0) this.memory.grow(Math.ceil(missing / PAGE));
   }
   /**
@@ -93,6 +120,7 @@ export class Kernels {
    * @param {number} size
    */
   #array(name, array, size) {
+    this.#room(name);
     return new Float64Array(this.memory.buffer, this.places[name][array], size);
   }
   /**
@@ -102,6 +130,7 @@ export class Kernels {
    */
   #call(name, ...numbers) {
     const { status } = this;
+    this.#room(name);
     const failed = this.exports[name](status, status + NUMBER, ...numbers, ...Object.values(this.places[name]));
     const [left] = new Int32Array(this.memory.buffer, status, 1);
     if (failed || left) return null;
@@ -186,24 +215,74 @@ export class Kernels {
    * @param {number} duration  [T]
    * @returns {ModalImpact | null}
    */
-  modes(beta, reflection, { name, constants }, count, touching, duration) {
-    const given = this.#array('modes', 'constants', ROOM.modes.constants).fill(0);
-    given.set([...constants]);
-    given[given.length - 1] = constants.length ? LAWS.indexOf(name) : -1;
+  modes(beta, reflection, law, count, touching, duration) {
+    this.#give('modes', law);
     const called = this.#call('modes', beta, reflection, count, touching, duration);
     if (!called) return null;
     const { figures, read } = called;
-    const { apart, compressing, contacts: found, deepest, dent, dissipated, energy, final } = figures;
-    const { highest, impulse, local, steps, target, touches, window } = figures;
-    const contacts = rowsOf(CONTACT.modes, found, read).map(([start, end, push, peak, after]) => {
-      return { start, end, push, after, peak };
-    });
+    const force = read('histories', figures.steps);
+    return { ...marched(figures, read), duration, force, mass: read('mass'), end: read('end') };
+  }
+  /**
+   * A mass across what bends, by the modes of that.
+   * @param {Struck} struck
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law  in s, kg and the speed; rigid without constants
+   * @returns {BentImpact | null}
+   */
+  beam({ damping, duration, march, mass, rigidMass, whole }, law) {
+    const { atContact, compliance, frequencies, longest, mean } = march;
+    const count = frequencies.length;
+    this.#give('beam', law);
+    this.#array('beam', 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
+    const called = this.#call('beam', mass, rigidMass, whole, mean, count, compliance, longest, duration);
+    if (!called) return null;
+    const { figures, read } = called;
+    const { contacts, deepest, dent, step, steps } = figures;
+    const size = ROOM.beam.drawn / HISTORIES.length;
+    const drawn = read('drawn');
+    const histories = /** @type {Record<typeof HISTORIES[number], Float64Array>} */ (
+      Object.fromEntries(HISTORIES.map((name, k) => [name, drawn.subarray(k * size, (k + 1) * size)]))
+    );
+    const halves = (/** @type {string} */ name, /** @type {number} */ both) => {
+      const found = read(name);
+      return [found.subarray(0, both / 2), found.subarray(both / 2)];
+    };
+    const [depths, presses] = halves('cycle', ROOM.beam.cycle);
+    const [loading, unloading] = halves('lawCycle', ROOM.beam.lawCycle);
     return {
-      ...{ apart, compressing, contacts, deepest, dent, dissipated, duration, energy, final },
-      ...{ highest, impulse, local, target, touches, window },
-      ...{ force: read('histories', steps), mass: read('mass'), end: read('end') },
+      ...{ ...marched(figures, read), ...histories, step, steps, duration: figures.duration },
+      rates: read('rates', Math.min(4 * contacts, ROOM.beam.rates)),
+      force: read('force', Math.ceil(figures.duration / step - 1e-6)),
+      cycle: { deepest, dent, depths, presses, loading, unloading },
     };
   }
+  /**
+   * Write a contact law for a march.
+   * @param {'modes' | 'beam'} kernel
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law
+   */
+  #give(kernel, { name, constants }) {
+    const given = this.#array(kernel, 'constants', ROOM[kernel].constants).fill(0);
+    given.set([...constants]);
+    given[given.length - 1] = constants.length ? LAWS.indexOf(name) : -1;
+  }
+}
+
+/**
+ * What a march gives along a rod and across a beam alike.
+ * @param {Record<string, number>} figures
+ * @param {(array: string, size: number) => Float64Array} read
+ */
+function marched(figures, read) {
+  const { apart, compressing, deepest, dent, dissipated, energy, final, highest, impulse, local } = figures;
+  const { contacts: count, target, touches, window } = figures;
+  const contacts = rowsOf(CONTACT.modes, count, read).map(([start, end, push, peak, after]) => {
+    return { start, end, push, after, peak };
+  });
+  return {
+    ...{ apart, compressing, contacts, deepest, dent, dissipated, energy, final },
+    ...{ highest, impulse, local, target, touches, window },
+  };
 }
 
 /**

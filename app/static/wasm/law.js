@@ -7,26 +7,34 @@ import { LAWS } from './room.js';
 const BEYOND = 1.02; // times the parting: up to there indentation and force are drawn over each other
 const PRESSURE = 1.5; // of Hertz in the middle, times the mean one
 const CYCLE = ['cycleDepth', 'cycleLoading', 'cycleUnloading', 'blowDepth', 'blowForce'];
-const TOUCH = ['touchTime', 'touchRadius', 'touchPressure'];
+const TOUCH = ['touchTime', 'touchRadius', 'touchPressure', 'touchFlow'];
+const FLOW = ['flowDepth', 'flowPressure', 'flowRadius', 'flowElastic', 'testsDepth', 'testsPressure', 'testsForce'];
+
+/**
+ * A message with the laws that can be chosen.
+ * @typedef {Pick<AxialFrame, 'acting' | 'chosen' | 'laws' | 'leastRestitution'>} Lawful
+ */
 
 /**
  * Whether a choice is that of the law, or of a stiffness.
- * @param {AxialFrame} frame
+ * @param {Lawful} frame
  * @param {string} name
  */
 export const setsLaw = ({ laws }, name) => name === 'law' || laws.some(({ stiffness }) => stiffness === name);
 
 /**
  * Whether the law of an answer takes another restitution by itself.
- * @param {AxialFrame} frame
+ * @param {Lawful} frame
  */
-export const takesRestitution = ({ chosen, damps, laws }) =>
-  !damps || Boolean(laws.find(({ name }) => name === chosen.law)?.damping);
+export function takesRestitution({ chosen, laws }) {
+  const law = laws.find(({ name }) => name === chosen.law);
+  return Boolean(law && (!law.damps || law.damping));
+}
 
 /**
  * The law that is chosen, with the constants that it then has; nothing where the server alone knows these.
  * @param {Kernels} kernels
- * @param {AxialFrame} from
+ * @param {Lawful} from
  * @param {Chosen} chosen
  * @param {number} speed  times as high
  * @param {number} mass  that both bodies are felt with, times as large
@@ -51,28 +59,25 @@ export function lawFor(kernels, { chosen: before, laws, leastRestitution }, chos
 }
 
 /**
- * A message with what the law says of itself, and nothing of an impact by another.
- * @param {AxialFrame} from
+ * A message without what belongs to an impact by another law, and with the choices that act by this one.
+ * @template {Lawful} F
+ * @param {F} from
  * @param {LawRecord} law
- * @returns {AxialFrame}
+ * @returns {F}
  */
-export function withLaw(from, law) {
-  const { choices, constants, damps, exponent, name, nominal, yields } = law;
-  const gone = name === from.chosen.law ? [] : [...CYCLE, ...TOUCH];
+export function withLaw(from, { choices, name }) {
+  const flows = 'touchFlow' in from || 'flowDepth' in from; // of which only the server can say more
+  const gone = name !== from.chosen.law ? [...CYCLE, ...TOUCH, ...FLOW] : flows ? [...TOUCH, ...FLOW] : [];
   const kept = Object.fromEntries(Object.entries(from).filter(([each]) => !gone.includes(each)));
   const others = from.laws.flatMap((other) => other.choices);
   const acting = [...from.acting.filter((each) => !others.includes(each)), ...choices];
-  return /** @type {AxialFrame} */ ({
-    ...kept,
-    ...{ acting, damps, exponent, nominal, yields },
-    rigid: !constants.length,
-  });
+  return /** @type {F} */ ({ ...kept, acting });
 }
 
 /**
  * Indentation and force by the law, and what the impact did [m, N].
- * @param {AxialFrame} made  with its scales
- * @param {Impact} impact
+ * @param {Pick<AxialFrame, 'blowDepth' | 'forceUnit' | 'speed' | 'touchRadius' | 'trip'>} made
+ * @param {Pick<Impact, 'contacts' | 'duration'>} impact
  * @param {Cycle} cycle
  * @returns {Partial<AxialFrame>}
  */

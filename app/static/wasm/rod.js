@@ -25,13 +25,13 @@ export const follows = (frame, name) =>
  * @param {AxialFrame} frame
  */
 export function isRod(frame) {
-  const { chosen, draft, duration, exact, fall, impactor, rods, stretch, target } = frame;
+  const { chosen, draft, duration, exact, fall, impactor, other, rods, stretch, target } = frame;
   const [rod] = rods;
   const alone = rods.length === 1 && rod.mirror !== 0 && rod.drift === 0 && !target.rotation && !target.endMass;
   const mass = ['mass', 'sphere'].includes(impactor.kind) && impactor.mass > 0;
   const last = exact.contacts.at(-1)?.[1] ?? NaN;
   const usual = Math.abs(duration - last - 1) < 1e-9 && !draft && !stretch && !fall;
-  const shown = exact.name === chosen.method || (frame.other?.name === chosen.method && byModes(frame));
+  const shown = [exact.name, other?.name].includes(String(chosen.method)) && (!other || byModes(frame));
   return alone && mass && pressed(frame) && exact.travelling && usual && shown;
 }
 
@@ -64,7 +64,8 @@ export function rodWith(kernels, from, chosen) {
   const { duration, histories: drawn } = impact;
   const made = {
     ...withLaw(from, law),
-    ...scales,
+    ...{ damps: law.damps, exponent: law.exponent, nominal: law.nominal, yields: law.yields },
+    ...{ ...scales, rigid: !law.constants.length },
     chosen,
     duration,
     impactor: { ...from.impactor, mass },
@@ -83,11 +84,14 @@ export function rodWith(kernels, from, chosen) {
   const exact = figuresOf(made, from.exact, { ...impact, local: 0 }, at);
   const unsure = Math.abs(exact.diagnostics.energy_error) + unbalanced(made, impact);
   exact.diagnostics.estimated_error = Math.max(unsure, impact.cycle ? ERROR.law : ERROR.rigid);
-  const whole = { ...made, exact, match: exact.restitution.newton };
-  const beside = besideOf(kernels, from, whole, law);
-  if (chosen.method !== from.exact.name && !beside.other) return null; // nothing is left of what was asked for
-  if (mass === from.impactor.mass && times === 1 && same(from, chosen, law)) exact.notes = from.exact.notes;
   exact.diagnostics.wall_time = (performance.now() - begun) / 1e3;
+  const whole = { ...made, exact, match: exact.restitution.newton };
+  const beside = besideOf(kernels, whole, law);
+  if (!beside) return null;
+  if (mass === from.impactor.mass && times === 1 && same(from, chosen, law)) {
+    exact.notes = from.exact.notes;
+    if (beside.other && from.other && chosen.modes === from.chosen.modes) beside.other.notes = from.other.notes;
+  }
   return { ...whole, ...beside };
 }
 
@@ -105,7 +109,7 @@ const felt = ({ target }, mass) => (target.held ? mass : mass / (1 + mass / targ
  * @param {LawRecord} law
  */
 const same = (from, chosen, law) =>
-  ['law', ...law.choices, 'restitution'].every((name) => chosen[name] === from.chosen[name]);
+  ['law', ...law.choices, ...(law.damps ? ['restitution'] : [])].every((name) => chosen[name] === from.chosen[name]);
 
 /**
  * What rigid-body theory predicts [v], thesis (9.1).

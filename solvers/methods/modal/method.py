@@ -8,8 +8,9 @@ import numpy as np
 
 from ... import validation
 from ...bodies import AnyBody, Beam, Bending, Pivoted, Rod
+from ...numerics.modal_steps import LEAST_STEPS, STEPS_PER_CONTACT, usual_step
 from ...numerics.modes import Modes
-from ...numerics.oscillators import STEPS_PER_PERIOD, Record, Residual, march, residual_spring
+from ...numerics.oscillators import Record, Residual, march, residual_spring
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.solution import Later, Solution, later
@@ -24,12 +25,6 @@ from .frames import frame_figures, pivot_figures
 from .motion import ModalMotion, last_touch
 from .pair import Pair
 
-STEPS_PER_CONTACT = 200  # of the shortest contact there can be; with fewer its peak and its loss are off
-# Unless more are asked for; what a step costs is measured by `python -m bench --only kernels`. Fewer, and long impacts
-# are solved more coarsely, at which the energy is kept all the same.
-MAX_USUAL_STEPS = 60_000
-# Times as many where a beam is struck: a contact there may be over long before the beam has swung once.
-BEAM_STEPS_FACTOR = 8
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
 FRAMES = ("mean-axis", "attached", "attached-far")
 MAX_SURE_CONTACTS = 6  # with a beam; of more, its conditioning is tested
@@ -243,7 +238,7 @@ class Modal(Method):
         else:
             step = self.coarser * default_step(scene, pair)
         if duration is not None and count is None:
-            count = min(max(10, math.ceil(duration / step)), MAX_STEPS)
+            count = min(max(LEAST_STEPS, math.ceil(duration / step)), MAX_STEPS)
             step = duration / count
         return _follow(scene, pair, step, count)
 
@@ -270,30 +265,18 @@ def _mobility(modes: Modes, truncated: bool) -> float:
 def default_step(scene: Scene, pair: Pair) -> float:
     """Fine enough for the highest mode and for the shortest contact; never a longer run than is worth it."""
     law, residual = pair.law(scene)
-    parts = list(zip((pair.impactor, pair.target), pair.truncated, strict=True))
-    reduced = 1.0 / sum(_mobility(modes, truncated) for modes, truncated in parts)
-    depth = scene.speed * scene.time_unit  # the law's secant stiffness at the depth of a free collision
-    for _ in range(60):
-        stiffness = 2.0 * law.mean(0.0, depth, 0.0, 0.0)[0] / depth
-        before, depth = depth, 0.5 * (depth + scene.speed * math.sqrt(reduced / stiffness))
-        if abs(depth - before) <= 1e-6 * depth:
-            break
-    soft = 1.0 / stiffness
-    bodies = (scene.impactor, scene.target)
+    parts, bodies = (pair.impactor, pair.target), (scene.impactor, scene.target)
+    reduced = 1.0 / sum(_mobility(*each) for each in zip(parts, pair.truncated, strict=True))
     trips = sum(body.time_unit for body in bodies if body.time_unit is not None)
     give = sum(body.softness for body in bodies if not body.bends)
     give += sum(
         float(np.sum((modes.at_contact / modes.frequencies) ** 2))
-        for modes, body in zip((pair.impactor, pair.target), bodies, strict=True)
+        for modes, body in zip(parts, bodies, strict=True)
         if body.bends
     )
-    fine = math.pi * math.sqrt(reduced * (soft + residual)) / STEPS_PER_CONTACT
-    if pair.frequencies.size:
-        fine = min(fine, 2.0 * math.pi / float(pair.frequencies.max()) / STEPS_PER_PERIOD)
-    usual = (trips + math.pi * math.sqrt(scene.reduced_mass * (soft + give))) / MAX_USUAL_STEPS
-    if any(body.bends for body in bodies):  # few modes, many contacts, each of which starts and ends in a step
-        return max(min(fine, usual), usual / BEAM_STEPS_FACTOR)
-    return max(fine, usual)
+    highest, bends = float(pair.frequencies.max(initial=0.0)), any(body.bends for body in bodies)
+    masses = reduced, scene.speed, scene.time_unit, trips, scene.reduced_mass
+    return usual_step(law, residual, *masses, give, highest, bends)
 
 
 def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMotion:

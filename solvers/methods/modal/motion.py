@@ -53,7 +53,7 @@ class ModalMotion:
 
     def resolved_force(self, time):
         """The raw force averaged over the shortest kept period: the finest that these modes can resolve."""
-        times = np.atleast_1d(np.asarray(time, float))
+        times = np.ascontiguousarray(time, float).ravel()
         found, window = np.empty_like(times), self.pair.resolved_time
         modal_contacts.resolve(times, self.step, window, self.record.contact_force, self._impulses, found)
         return found.reshape(np.shape(time))

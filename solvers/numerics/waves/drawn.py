@@ -13,6 +13,7 @@ from ...jit.kernels import inner_kernel
 
 SOLVED, NO_ROOM = 0, 1  # what such a kernel returns
 FORCE_SAMPLES, MOST_SAMPLES = 200.0, 1_000.0  # of the force, in a round trip and in all
+BEYOND = 1.02  # times the parting, up to which indentation and force are drawn over each other
 LEAST_JUMP = 1e-6  # of the impact speed; smaller ones are drawn as none
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
 from ...jit.reference import refer
-from .drawn import NO_ROOM, SOLVED, history_of, instant, samples_of
+from .drawn import BEYOND, NO_ROOM, SOLVED, history_of, instant, samples_of
 from .events import NO_PULL
 from .laws import DENT, STORED
 from .laws import FORCE as FORCE_OF
@@ -35,7 +35,6 @@ COLUMNS = 13
 START, END, PUSH, PEAK, LEFT = range(5)  # columns of its contacts; LEFT: velocity of the mass at the end
 CONTACT_COLUMNS = 5
 WAIT, LAG = 2.0, 0.5  # T: how long after parting no touch may come; from one end of the rod to the other
-BEYOND = 1.02  # times the parting, up to which indentation and force are drawn over each other
 JUST_AFTER = 1e-14  # T: more than the rounding of the instant at which a front arrives
 
 

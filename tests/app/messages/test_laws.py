@@ -5,10 +5,12 @@ import pytest
 from app.choices.choices import Choices
 from app.choices.laws import law_choices
 from app.choices.scene_of import chosen_scene, own_choices
-from app.messages.laws import law_fields
+from app.messages.laws import Units, law_fields, laws_of_a_rod
 from solvers.contact import LAWS
 from solvers.contact.damping import OF_KERNELS
 from solvers.scenes.library import scene_of
+
+BEAMS = ("hammer-on-cantilever", "xylophone-bar")
 
 
 def chosen(name: str, **other) -> dict:
@@ -16,10 +18,12 @@ def chosen(name: str, **other) -> dict:
 
 
 def laws_of(choices: dict) -> dict[str, dict]:
-    return {law["name"]: law for law in law_fields(chosen_scene(choices), choices)}
+    scene = chosen_scene(choices)
+    found = law_fields(scene, choices, Units(1.0, 1.0)) if scene.bends else laws_of_a_rod(scene, choices)
+    return {law["name"]: law for law in found}
 
 
-@pytest.mark.parametrize("name", ["fixed-rod", "free-rod", "bronze-rod-steel-ball"])
+@pytest.mark.parametrize("name", ["fixed-rod", "free-rod", "bronze-rod-steel-ball", *BEAMS])
 @pytest.mark.parametrize("law", [law for law in LAWS if law not in ("rigid", "lee-wang")])
 def test_a_message_tells_the_constants_of_laws_at_other_choices(name, law):
     before = chosen(name)
@@ -60,11 +64,11 @@ def test_a_law_of_the_scene_itself_has_no_stiffness_that_would_change_more():
     scene = scene_of("fixed-rod").replace(
         {"contact": {"law": "plastic-power", "stiffness": 1e10, "yield_indentation": 1e-6, "full_indentation": 1e-4}}
     )
-    law = next(law for law in law_fields(scene, chosen("fixed-rod")) if law["name"] == "plastic-power")
+    law = next(law for law in laws_of_a_rod(scene, chosen("fixed-rod")) if law["name"] == "plastic-power")
     assert law["stiffness"] is None
     assert len(law["constants"]) == 5
 
 
 def test_what_is_no_mass_on_one_rod_has_none():
     for name in ("hammer-on-cantilever", "stepped-rod", "two-equal-rods"):
-        assert law_fields(scene_of(name), chosen(name)) == []
+        assert laws_of_a_rod(scene_of(name), chosen(name)) == []

@@ -118,9 +118,9 @@ def test_slow_motion_plays_the_first_contacts_and_asks_for_these_alone(open_page
     low, high = page.evaluate("() => strikewave.page.beam.axis.view")
     assert low == 0.0 and high < page.header("duration")
     expect(page.tab.locator(".now")).to_contain_text("contact 1 of")
+    page.wait("() => strikewave.page.model.time_in_view !== ''")
     page.tab.get_by_role("button", name="Show the whole impact").click()
     assert page.evaluate("() => strikewave.page.beam.axis.view[1]") == page.header("duration")
-    page.wait("() => strikewave.page.model.time_in_view !== ''")
     asked = [float(each) for each in page.evaluate("() => strikewave.page.model.time_in_view").split()]
     assert asked == pytest.approx([low, high], rel=1e-6)
     assert page.evaluate("() => strikewave.frames") == solved

@@ -224,7 +224,7 @@ def test_the_browser_rebuilds_the_same_fields_as_the_library(open_page):
 
 
 def test_dragging_shows_results_on_the_way_and_ends_with_the_newest(open_page):
-    page = open_page("?method=modal")  # which the browser does not answer by itself
+    page = open_page("?method=balance")  # which the browser does not answer by itself
     page.frames["bytes"] = 0
     solves = page.evaluate(
         """async () => {

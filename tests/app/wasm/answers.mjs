@@ -37,5 +37,20 @@ function modes([beta, reflection, name, constants, count, touching, duration]) {
   return { ...figures, contacts: rows, force: [...force], mass: [...mass], end: [...end] };
 }
 
+function beam([struck, name, constants]) {
+  const infinite = (value) => value ?? Infinity;
+  const { rigidMass, whole, ...rest } = struck;
+  const given = { ...rest, rigidMass: infinite(rigidMass), whole: infinite(whole) };
+  const impact = found.beam(given, { name, constants });
+  if (!impact) return {};
+  const { contacts, cycle, force, rates, time, impactor, struck: face, impactorRate, struckRate, ...figures } = impact;
+  const rows = contacts.map((c) => [c.start, c.end, c.push, c.peak, c.after]);
+  const all = { time, impactor, face, impactorRate, struckRate, rates, force, depths: cycle.depths };
+  const lists = Object.fromEntries(Object.entries(all).map(([each, values]) => [each, [...values]]));
+  return { ...figures, ...lists, contacts: rows };
+}
+
 const given = JSON.parse(readFileSync(0, 'utf8'));
-console.log(JSON.stringify({ rod: given.rod.map(rod), law: given.law.map(law), modes: given.modes.map(modes) }));
+const each = { rod, law, modes, beam };
+const answers = Object.entries(each).map(([name, one]) => [name, given[name].map(one)]);
+console.log(JSON.stringify(Object.fromEntries(answers)));

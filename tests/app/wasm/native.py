@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from app.wasm.entries import CONTACTS, CYCLE, DEPTHS, INSTANTS, JUMPS, PIECES, POINTS, STRETCHES, TERMS, TOLERANCE
+from app.wasm.entry import CYCLE, DEPTHS, INSTANTS
+from app.wasm.wave_entries import CONTACTS, JUMPS, PIECES, POINTS, STRETCHES, TERMS, TOLERANCE
 from solvers import Scene
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
 from solvers.methods.waves.chain_scene import ChainScene

@@ -3,18 +3,22 @@
 import json
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from app.wasm.entries import INSTANTS, KINDS, room
+from app.messages.histories import struck_velocity
+from app.wasm.entries import room
+from app.wasm.entry import INSTANTS, KINDS
+from app.wasm.modal_entries import BEAM_CONTACTS, BEAM_STEPS
 from app.wasm.module import MODULE, named_in, signed, sources
 from solvers import Modal, Scene, Waves
 from solvers.methods.modal.motion import ModalMotion
 from solvers.methods.waves.chain_scene import ChainScene
-from solvers.numerics.modal_drawn import steps_drawn
+from solvers.numerics.modal_steps import steps_drawn
 from solvers.numerics.waves.drawn import LEAST_JUMP
 from solvers.scenes.library import scene_of
 
@@ -30,13 +34,15 @@ IMPACTS = [
 THROUGH_LAWS = 1_600
 BY_MODES, RIGID_SHARE = 600, 0.3
 MODES = (1, 5, 20, 50, 200, 400)
+BEAMS = ("hammer-on-cantilever", "timoshenko-1913-short", "timoshenko-1913-long", "xylophone-bar", "xylophone-bar-node")
+ACROSS, BEAM_MODES, FEW_CONTACTS = 300, (1, 5, 10, 30), 6
 BETWEEN = 1e-3  # of the largest value: what straight lines between other instants differ by
 NEARLY_FULL = 0.75  # of the stretches that there is room for
 DRAWN_TOO = 40  # of them, the histories as well: they are long
 
 
-def random_scene() -> Scene:
-    """A mass that strikes a rod through a contact law, neither hard nor soft beyond what the page has."""
+def random_scene(names: Sequence[str] = ("fixed-rod", "free-rod")) -> Scene:
+    """A mass that strikes one of these through a contact law, neither hard nor soft beyond what the page has."""
     kind = KINDS[RANDOM.integers(len(KINDS))]
     table = {"law": kind.NAME} | dict(kind.EXAMPLE)
     hardness = 10.0 ** RANDOM.uniform(-1.5, 1.5)
@@ -44,7 +50,7 @@ def random_scene() -> Scene:
     if "restitution" in kind.KEYS:
         table.pop("nominal_restitution", None)
         table["restitution"] = float(RANDOM.uniform(0.05, 1.0))
-    scene = scene_of(str(RANDOM.choice(["fixed-rod", "free-rod"])))
+    scene = scene_of(str(RANDOM.choice(list(names))))
     scene = scene.replace({"impactor.velocity": float(10.0 ** RANDOM.uniform(-1.0, 1.0))})
     ratio = 10.0 ** RANDOM.uniform(-1.5, 1.5)
     return scene.with_impactor_mass(scene.target.mass / ratio).replace({"contact": table})
@@ -72,16 +78,43 @@ def random_march() -> Marched:
     return Marched(scene, int(RANDOM.choice(MODES)), duration * float(RANDOM.uniform(0.05, 0.9)), duration)
 
 
-def answers(module: Path, through: list[Scene], marched: list[Marched]) -> tuple[list[dict], ...]:
+def random_beam() -> tuple[Scene, int]:
+    """A mass across a beam, which is known by so many modes."""
+    return random_scene(BEAMS), int(RANDOM.choice(BEAM_MODES))
+
+
+def struck_by(scene: Scene, count: int) -> list:
+    """What the kernel is given of a beam: as `app.messages.beam.march_of`, in s, kg and the speed."""
+    modes, target = scene.target.modes(count).excited(), scene.target
+    march = {
+        "frequencies": modes.frequencies.tolist(),
+        "atContact": modes.at_contact.tolist(),
+        "compliance": modes.residual_compliance,
+        "mean": modes.rigid_mean,
+        "longest": scene.time_unit,
+    }
+    masses = {
+        "mass": scene.impactor.mass,
+        "rigidMass": None if target.held else modes.rigid_mass,
+        "whole": None if target.held else target.mass,
+    }
+    constants = list(scene.contact.scaled(scene.speed, scene.speed, scene.speed))
+    return [masses | {"damping": target.damping, "duration": 0, "march": march}, scene.contact.NAME, constants]
+
+
+def answers(
+    module: Path, through: list[Scene], marched: list[Marched], beams: list[tuple[Scene, int]]
+) -> tuple[list[dict], ...]:
     command = ["node", HERE / "answers.mjs", module, MODULE.with_name("kernels.js")]
     given = {
         "rod": IMPACTS,
         "law": [impact_of(scene, number < DRAWN_TOO) for number, scene in enumerate(through)],
         "modes": [[*impact_of(scene)[:4], *counted] for scene, *counted in marched],
+        "beam": [struck_by(*each) for each in beams],
     }
     done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, check=True)
     found = json.loads(done.stdout)
-    return found["rod"], found["law"], found["modes"]
+    return found["rod"], found["law"], found["modes"], found["beam"]
 
 
 def test_the_module_is_of_todays_sources():
@@ -160,7 +193,8 @@ def test_what_is_drawn_through_a_law_is_the_solution(name, kind):
 @pytest.mark.slow
 @pytest.mark.browser  # needs Node
 def test_a_browser_finds_what_this_machine_finds():
-    _equal(MODULE, [random_scene() for _ in range(THROUGH_LAWS)], [random_march() for _ in range(BY_MODES)])
+    through, marched = [random_scene() for _ in range(THROUGH_LAWS)], [random_march() for _ in range(BY_MODES)]
+    _equal(MODULE, through, marched, [random_beam() for _ in range(ACROSS)])
 
 
 @pytest.mark.slow
@@ -170,16 +204,18 @@ def test_the_module_can_be_built_again(tmp_path):
     command = [sys.executable, "-m", "app.wasm.build", built]
     done = subprocess.run(command, capture_output=True, text=True, timeout=500)
     assert done.returncode == 0, done.stderr
-    _equal(built, [random_scene() for _ in range(DRAWN_TOO)], [random_march() for _ in range(DRAWN_TOO)])
+    few = range(DRAWN_TOO)
+    _equal(built, *([one() for _ in few] for one in (random_scene, random_march, random_beam)))
 
 
-def _equal(module: Path, through: list[Scene], marched: list[Marched]) -> None:
+def _equal(module: Path, through: list[Scene], marched: list[Marched], beams: list[tuple[Scene, int]]) -> None:
     """To rounding where the wave is exact: now and then the exponential of musl and that of this machine differ in the
     last bit. Through a law to what the steps are allowed, which such a bit may make longer or shorter; where damping
     lets the force fade, the instant at which it ends is less sure than that.
     """
-    rigid, by_laws, by_modes = answers(module, through, marched)
-    assert (len(rigid), len(by_laws), len(by_modes)) == (len(IMPACTS), len(through), len(marched))
+    rigid, by_laws, by_modes, across = answers(module, through, marched, beams)
+    found = len(rigid), len(by_laws), len(by_modes), len(across)
+    assert found == (len(IMPACTS), len(through), len(marched), len(beams))
     for (beta, side), here in zip(IMPACTS, rigid, strict=True):
         there = native.rod(beta, side)
         assert there is not None and here, (beta, side)  # nothing is beyond it at any mass ratio
@@ -200,6 +236,50 @@ def _equal(module: Path, through: list[Scene], marched: list[Marched]) -> None:
             assert here[name] == pytest.approx(there[name], rel=close, abs=close, nan_ok=True), given
     for impact, here in zip(marched, by_modes, strict=True):
         _equal_by_modes(impact, here)
+    for (scene, modes), here in zip(beams, across, strict=True):
+        _equal_across(scene, modes, here)
+
+
+def _equal_across(scene: Scene, modes: int, here: dict) -> None:
+    """To rounding, which many contacts make larger: a mass changed by as little moves them as far."""
+    found, given = Modal(modes=modes, estimate=False).solve(scene), (scene.title, struck_by(scene, modes))
+    motion, speed = found.known_motion, scene.speed
+    assert isinstance(motion, ModalMotion)
+    if not here:
+        assert motion.steps > NEARLY_FULL * BEAM_STEPS or len(found.contacts) > BEAM_CONTACTS, given
+        return
+    rows = [[c.start, c.end, c.impulse / speed, c.peak_force / speed] for c in found.contacts]
+    if len(rows) > FEW_CONTACTS:  # of which rounding makes others in the end
+        rows = rows[:FEW_CONTACTS]
+        assert np.array(here["contacts"])[:FEW_CONTACTS, :4] == pytest.approx(np.array(rows), rel=1e-3), given
+        return
+    close = 1e-6
+    assert here["steps"] == motion.steps and here["duration"] == pytest.approx(found.duration, rel=1e-9), given
+    assert len(here["contacts"]) == len(rows), given
+    for column, largest in enumerate(np.abs(rows).max(axis=0)):
+        known = [row[column] for row in rows]
+        assert [row[column] for row in here["contacts"]] == pytest.approx(known, abs=close * largest), given
+    times = np.array(here["time"])
+    paths = {"impactor": motion.impactor_position(times), "face": motion.end_position(times)}
+    rates = {"impactorRate": motion.impactor_velocity(times), "struckRate": struck_velocity(found, times)}
+    for name, known in (paths | rates).items():
+        assert here[name] == pytest.approx(known / speed, abs=close * np.abs(known).max() / speed), (name, given)
+    energies, unit = found.energy, speed**2
+    known = {
+        "final": found.impactor_velocity / speed,
+        "target": found.target_velocity / speed,
+        "energy": (energies["target_rigid"] + energies["target_vibration"]) / unit,
+        "local": energies["local"] / unit,
+        "dissipated": energies["dissipated"] / unit,
+        "deepest": found.peak_indentation / speed,
+        "dent": found.residual_indentation / speed,
+        "apart": found.restitution["newton_at_contact"],
+    }
+    scales = {name: energies["initial"] / unit for name in ("energy", "local", "dissipated")}
+    scales |= {"deepest": known["deepest"], "dent": known["deepest"]}
+    for name, value in known.items():
+        if value is not None and not (name == "target" and scene.target.held):
+            assert here[name] == pytest.approx(value, abs=close * scales.get(name, 1.0)), (name, given)
 
 
 def _equal_by_modes(impact: Marched, here: dict) -> None:
