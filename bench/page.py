@@ -62,7 +62,11 @@ DRAG = """async (seconds) => {
   }
   return (own.count - before) / seconds;
 }"""
-DRAGGED = {"exact waves, in the opening": "", "Hertz, in the opening": "?law=hertz"}
+DRAGGED = {
+    "exact waves, in the opening": "",
+    "Hertz, in the opening": "?law=hertz",
+    "a beam, in the opening": "?scene=hammer-on-cantilever&layout=opening",
+}
 PLAYBACK = """async () => {
   const { page } = strikewave, { player } = page;
   player.pace.value = '0.25'; player.go(0); player.toggle();

@@ -17,6 +17,7 @@ from contextlib import contextmanager, suppress
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import WebSocketClosedError
 
+from app.serving.limits import MAX_SESSIONS
 from tests.app.socket_client import SocketClient, run
 
 from .serving import served_page
@@ -25,24 +26,26 @@ from .timing import row
 HONEST, PERIOD = 5, 0.4  # visitors, and seconds between two changes of each
 SECONDS = 10.0  # of each measurement
 COSTLY = {"method": "mode-switch", "modes": 200}  # at mass ratios near 1/1000: 7 s of computing each
+REST_PERIOD = 2.5  # s between two drags, of which the server sees the end
+COVERED = ("", "?law=hertz", "?scene=free-rod", "?scene=hammer-on-cantilever")  # by the kernels that browsers have
 SCENES = ("", "?law=hertz", "?scene=stepped-rod", "?scene=hammer-on-cantilever")
 
 
-async def honest(address: str, seconds: float, query: str = "") -> list[float | None]:
+async def honest(address: str, seconds: float, query: str = "", period: float = PERIOD) -> list[float | None]:
     """Times [s] until each change was answered, None where a newer one was made first."""
     client = await SocketClient(address).open(query)
     await client.changes(1.0)
     found: list[float | None] = []
-    await asyncio.sleep(random.random() * PERIOD)
+    await asyncio.sleep(random.random() * period)
     end = time.monotonic() + seconds
     while (begun := time.monotonic()) < end:
         await client.set("mass_ratio", 0.4 + 2.0 * random.random())
         took = None
         with suppress(TimeoutError):
-            await asyncio.wait_for(client.answer(), PERIOD * 25)
+            await asyncio.wait_for(client.answer(), period * 25)
             took = time.monotonic() - begun
         found.append(took)
-        await asyncio.sleep(max(0.0, begun + PERIOD - time.monotonic()))
+        await asyncio.sleep(max(0.0, begun + period - time.monotonic()))
     client.close()
     return found
 
@@ -116,7 +119,24 @@ def measure() -> dict[str, object]:
             rows.append(row(f"an answer beside {name}, p50", middle, "ms"))
             rows.append(row(f"an answer beside {name}, p95", late, "ms"))
             rows.append(row(f"p95 beside {name}", late / (1e3 * alone[int(0.95 * len(alone))]), "of alone", "<= 3"))
-    return dict(rows) | _classes()
+    return dict(rows) | _classes() | _dragging()
+
+
+def _dragging() -> dict[str, object]:
+    """A whole class that drags what browsers answer: the server is asked once a hand rests."""
+    rows = []
+    for sessions, most in ((50, 150), (MAX_SESSIONS, 500)):
+        with served_page() as (address, _):
+
+            async def visit(address: str = address, sessions: int = sessions) -> list[list[float | None]]:
+                queries = [COVERED[k % len(COVERED)] for k in range(sessions)]
+                return await asyncio.gather(*(honest(address, SECONDS, query, REST_PERIOD) for query in queries))
+
+            found = list(itertools.chain(*run(visit())))
+            times = sorted(each for each in found if each is not None)
+            late = 1e3 * times[int(0.95 * len(times))]
+            rows.append(row(f"{sessions} visitors who drag what browsers answer: p95", late, "ms", f"<= {most}"))
+    return dict(rows)
 
 
 def _classes() -> dict[str, object]:

@@ -16,6 +16,8 @@ DRAGGED = {  # scene; least answers a second while its slider moves
     "split-hopkinson": 12,
     "figure-8.10": 12,
 }
+SUBJECTS = ("figure-4.12", "figure-5.16", "figure-6.5", "figure-8.15", "figure-8.20", "table-8.3", "figure-9.8")
+PHONE, SLOWER = (390, 844), 4  # window, and times as slow a processor
 MOVES = 1000
 KEPT = (5, 12, 40, 100)  # modes
 
@@ -39,6 +41,13 @@ DRAG = """async (seconds) => {
     await new Promise((done) => requestAnimationFrame(done));
   }
   return (seen.size + own.count - count) / (performance.now() - begun) * 1000;
+}"""
+OPEN = """async (name) => {
+  const { page } = strikewave, begun = performance.now();
+  page.choose('scene', name);
+  while (page.frame.chosen.scene !== name || page.asked) await new Promise((done) => setTimeout(done, 2));
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  return performance.now() - begun;
 }"""
 MOVE = """async ([from, moves]) => {
   for (let k = from; k < from + moves; k++) {
@@ -71,6 +80,8 @@ def rows_of(browser, address: str, playback: str) -> list:
         + _first(browser, address)
         + _drags(browser, address)
         + _kept(browser, address, playback)
+        + _subjects(browser, address)
+        + _phone(browser, address, playback)
         + _heap(browser, address)
     )
 
@@ -137,3 +148,23 @@ def _heap(browser, address: str) -> list:
     after = used()
     page.context.close()
     return [row(f"heap of JavaScript after {MOVES} moves, beside before", after / before, "", "<= 1.1")]
+
+
+def _subjects(browser, address: str) -> list:
+    """Scenes of the thesis, each opened for the second time, with the dock that shows what it is about."""
+    page = Page(browser, address, "")
+    times = [[page.evaluate(OPEN, name) for name in SUBJECTS] for _ in range(2)][1]
+    page.context.close()
+    found = (("median", statistics.median(times)), ("slowest", max(times)))
+    return [
+        row(f"a scene of the thesis opens on its subject, warm, {name}", ms / 1e3, "s", "<= 1") for name, ms in found
+    ]
+
+
+def _phone(browser, address: str, playback: str) -> list:
+    page = Page(browser, address, "", PHONE, has_touch=True)
+    page.quiet()
+    page.context.new_cdp_session(page.tab).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
+    rate = page.evaluate(playback)
+    page.context.close()
+    return [row(f"playback on a phone, {SLOWER} times as slow", rate, "frames/s", ">= 50")]

@@ -31,6 +31,8 @@ def beam_frame(request: Request) -> bytes:
     arrays |= _half_space(scene) | _speeds(scene, main) | comparison_arrays(main, header["places"])
     march = march_of(request, main)
     laws = law_fields(scene, request.chosen, Units(1.0, 1.0)) if march else []
+    if march and not march["compliance"]:  # nothing would give way in a rigid contact
+        laws = [law for law in laws if law["constants"]]
     header |= {"kind": "beam", "beam": _beam(scene.target), "march": march, "laws": laws}
     header |= {"leastRestitution": LEAST_RESTITUTION}
     return impact_frame(request, Answer(main, reason, beside), header, arrays)
@@ -44,9 +46,9 @@ def march_of(request: Request, main: Solution) -> dict[str, Any] | None:
         return None
     modes, usual = motion.pair.target, {"modes", "residual"} >= own.keys()
     still = not target.velocity and not target.acceleration and not target.swings
-    if not usual or not still or request.stretch or modes.frequencies.size > DRAWN_MODES:
+    if not usual or not still or request.stretch or request.draft or modes.frequencies.size > DRAWN_MODES:
         return None
-    if scene.rigid_contact and not modes.residual_compliance:
+    if scene.rigid_contact and not own.get("residual", True):  # which a rigid contact gives way by all the same
         return None
     return {
         "frequencies": modes.frequencies.tolist(),

@@ -42,9 +42,8 @@ class Units(NamedTuple):
 def law_fields(scene: Scene, chosen: Mapping[str, Any], units: Units) -> list[dict[str, Any]]:
     """Every contact law that can be chosen for a mass that strikes, the scene's own with its own constants.
 
-    They are products of powers, so that what doubling does to them tells how
-    they grow. A damping grows where it follows from a restitution, which stays. One that is found by integration is
-    left out unless it acts.
+    They are products of powers, so that what doubling does to them tells how they grow. A damping grows where it
+    follows from a restitution, which stays. One that is found by integration is left out unless it acts.
     """
     impactor, target, own = scene.impactor, scene.target, scene.contact
     opened: Any = base_of(chosen["scene"], chosen["bodies"]).contact

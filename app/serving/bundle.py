@@ -3,8 +3,8 @@
 Each module becomes a function that is given what others export, in an order in which all that it needs is there. It
 takes the forms that our modules have: `import { a, b as c } from './x.js'`, `import * as a from './x.js'`, `export`
 before a declaration that does not change, and imports while running: of files in the same folder, or of an address,
-which is left to the browser. Comments that have
-their lines to themselves, a quarter of what is sent, are left out.
+which is left to the browser. Comments that have their lines to themselves, a quarter of what is sent, are left out, and
+types within a line.
 """
 
 import re

@@ -15,8 +15,8 @@ from solvers.numerics.waves.drawn import NO_ROOM
 from .entry import ANY_LAW, INSTANTS, INTEGERS, JUMPING, KINDS, LOSES, REMEMBERS, SPRING, Entry
 
 CONTACTS, MODES, STEPS, CHECKPOINTS = 64, 400, int(MOST_DRAWN), 17
-# of beams: as many steps as most take
-BEAM_CONTACTS, BEAM_MODES, BEAM_STEPS = 250, 64, 160_000
+# of beams: twice the steps that most take with a rigid contact
+BEAM_CONTACTS, BEAM_MODES, BEAM_STEPS = 250, 48, 400_000
 BEAM_INSTANTS, BEAM_CYCLE, BEAM_DEPTHS, LISTED, GROUPS = 500, 530, 60, 60, 10_000
 AnyStepped = any_stepped(KINDS)
 
@@ -163,6 +163,6 @@ MODAL_ENTRIES = {
             "out": modal_drawn.COLUMNS,
         },
         {"runs": INTEGERS},
-        FIGURES | {"step": modal_drawn.STEP, "duration": modal_drawn.DURATION},
+        FIGURES | {"step": modal_drawn.STEP, "duration": modal_drawn.DURATION, "half": modal_drawn.HALF},
     ),
 }

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from solvers.fingerprint import fingerprint
 from solvers.jit.cache import LIBRARY
+from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
 
 MODULE = Path(__file__).parents[1] / "static/wasm/kernels.wasm"
 SOURCES = (
@@ -21,6 +22,7 @@ SECTION = b"\x0bfingerprint"  # in which the module names the sources that it wa
 def sources() -> str:
     """The fingerprint of what the module is made of: of kernels, and of the entries to them."""
     entries = b"".join(Path(__file__).with_name(each).read_bytes() for each in ENTRIES)
+    entries += repr((AFTERGLOW, MAX_ROUND_TRIPS)).encode()
     return f"{fingerprint([LIBRARY / each for each in SOURCES], deep=True)}-{sha256(entries).hexdigest()[:12]}"
 
 

@@ -12,6 +12,7 @@ from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts
 from .modal_steps import LEAST_STEPS, usual_step
+from .modes import half_period
 from .oscillators import Bank, Record, carried_to, march_in_place, rate_at, residual_spring, ringing, set_bank
 from .waves.drawn import BEYOND, NO_ROOM, SOLVED, instant
 from .waves.laws import DENT, FORCE, STORED
@@ -20,12 +21,10 @@ from .waves.laws import DENT, FORCE, STORED
 # shortest kept period; TOUCHES: contacts with all chatter, HIGHEST: the largest force of these
 IMPULSE, FINAL, TARGET, APART, COMPRESSING, STRUCK, LOCAL, DISSIPATED, DEEPEST, DENT_LEFT = range(10)
 STEPS, WINDOW, TOUCHES, HIGHEST, CONTACTS = range(10, 15)
-STEP, DURATION = range(15, 17)  # of a beam: of the forces that are drawn, and of all
-COLUMNS = 17
+STEP, DURATION, HALF = range(15, 18)  # of a beam: of the forces that are drawn, of all, half a period with the mass
+COLUMNS = 18
 LEFT = modal_contacts.COLUMNS  # column of its contacts: velocity of the impactor at the end
 CONTACT_COLUMNS = LEFT + 1
-
-
 EARLY = 0.15  # share of instants that are evenly spread; the others are closer together at first
 
 
@@ -296,4 +295,5 @@ def answer_of_beam(
     until = min(step * most, BEYOND * contacts[count - 1, modal_contacts.END])
     _cycle(record, step, asked, constants, slopes, until, out[DEEPEST], drawn)
     out[DURATION] = step * most
+    out[HALF] = half_period(frequencies, at_contact, compliance, 1.0 / mass + 1.0 / rigid_mass)
     return SOLVED

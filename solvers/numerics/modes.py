@@ -1,9 +1,12 @@
 """Natural modes of a structure, as the modal kernel and the drawings need them."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
+
+from ..jit.kernels import inner_kernel, kernel
 
 # Of the largest amplitude where a body is struck: below it a mode is at rest there, and is left out. Smaller, rounding
 # divides by rounding.
@@ -124,6 +127,38 @@ class Modes:
     def front_time(self) -> float:
         """See `front_time`."""
         return front_time(self.frequencies.size, self.shortest_period)
+
+
+@inner_kernel
+def _surplus(square, frequencies, at_contact, compliance, mobility):
+    """What the body gives way beyond the mass, at a square of the angular frequency; it grows with that."""
+    found = compliance - mobility / square
+    for i in range(frequencies.size):
+        found += at_contact[i] ** 2 / (frequencies[i] ** 2 - square)
+    return found
+
+
+@kernel
+def half_period(frequencies, at_contact, compliance, mobility):
+    """Half the longest period [s] of a body with a mass on it that it is known by these modes to carry; NaN: none.
+
+    compliance: of the modes left out, which bend as under a load at rest; mobility: 1 / m of the mass and 1 / M of the
+    body as far as it moves as a whole [1/kg]. With the mass attached the receptance of the body at the contact is that
+    of the mass with the sign turned, sum phi_i^2 / (omega_i^2 - omega^2) - 1 / (M omega^2) = 1 / (m omega^2).
+    """
+    lowest = frequencies[0] ** 2
+    low, high = 1e-13 * lowest, (1.0 - 1e-13) * lowest
+    known = frequencies, at_contact, compliance, mobility
+    if not _surplus(low, *known) < 0.0 < _surplus(high, *known):
+        return np.nan
+    while True:
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            return math.pi / math.sqrt(middle)
+        if _surplus(middle, *known) < 0.0:
+            low = middle
+        else:
+            high = middle
 
 
 def _rows(field: Callable[[np.ndarray], np.ndarray], kept: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:

@@ -4,11 +4,9 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
-import numpy as np
-
-from ..contact.halving import root_between
 from ..methods import Modal
 from ..methods.base import SceneNotSupported
+from ..numerics.modes import half_period
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution, apparent_time
@@ -52,9 +50,7 @@ def contact_times(solution: Solution) -> ContactTimes:
 def half_periods(scene: Scene) -> tuple[float | None, float | None]:
     """Half the longest period of vibration of the struck body [s], with a rigid impactor attached and without.
 
-    With the mass m attached the body's receptance at the contact is that of the mass with the sign turned,
-    sum phi_i^2 / (omega_i^2 - omega^2) - 1 / (M omega^2) = 1 / (m omega^2); the modes left out bend as under a load at
-    rest. Error: 1e-9, by what they do not.
+    Source: see `numerics.modes.half_period`. Error: 1e-9, by what the modes left out do not bend.
     """
     target = scene.target
     if scene.normal is not None or not scene.impactor.free_mass or target.no_modes:
@@ -63,16 +59,8 @@ def half_periods(scene: Scene) -> tuple[float | None, float | None]:
     if not modes.frequencies.size:
         return None, None
     mobility = 1.0 / scene.impactor.mass + 1.0 / modes.rigid_mass
-    squares, softness = modes.frequencies**2, modes.at_contact**2
-
-    def balance(part: float) -> float:  # of omega^2, as a part of the lowest one without the mass; grows with it
-        square = part * squares[0]
-        return float(np.sum(softness / (squares - square))) + modes.residual_compliance - mobility / square
-
-    tiny = 1e-13
-    part = root_between(balance, tiny, 1.0 - tiny) if balance(tiny) < 0.0 < balance(1.0 - tiny) else math.nan
-    lowest = math.pi / float(modes.frequencies[0])
-    return (lowest / math.sqrt(part) if part > 0.0 else None), lowest
+    with_mass = half_period(modes.frequencies, modes.at_contact, modes.residual_compliance, mobility)
+    return (with_mass if with_mass > 0.0 else None), math.pi / float(modes.frequencies[0])
 
 
 def _summary(contacts: int, apparent: float, real: float, half_period: float | None) -> Note:

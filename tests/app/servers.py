@@ -1,12 +1,14 @@
 """Servers of the page, each a process of its own, and the time for which what they start computes."""
 
 import os
+import random
 import signal
 import socket
 import subprocess
 import sys
 import time
 import urllib.request
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -14,10 +16,15 @@ import pytest
 ROOT = Path(__file__).parents[2]
 
 
+PORTS = range(20_000, 30_000)  # none that a system gives to whoever connects, meanwhile
+
+
 def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    while True:
+        with socket.socket() as probe, suppress(OSError):
+            port = random.choice(PORTS)
+            probe.bind(("127.0.0.1", port))
+            return port
 
 
 class Server:

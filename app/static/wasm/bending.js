@@ -1,5 +1,5 @@
 // What the page draws of a mass across what bends, by the browser's own answer: a message like that of the server.
-import { cycleOf, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
+import { cycleOf, felt, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
 
 /** @import { BeamFigures, BeamFrame, Chosen, Contact, MarchRecord } from '../messages.js' */
 /** @import { BentImpact, Kernels } from './kernels.js' */
@@ -40,8 +40,7 @@ export function beamWith(kernels, from, chosen) {
   const same = chosen.mass_ratio === from.chosen.mass_ratio;
   const mass = same ? from.impactor.mass : beam.mass / Number(chosen.mass_ratio);
   const speed = Number(chosen.speed);
-  const felt = (/** @type {number} */ m) => (beam.held ? m : m / (1 + m / beam.mass));
-  const law = lawFor(kernels, from, chosen, speed / from.speed, felt(mass) / felt(from.impactor.mass));
+  const law = lawFor(kernels, from, chosen, speed / from.speed, felt(mass, beam) / felt(from.impactor.mass, beam));
   if (!law) return null;
   const rigid = !law.constants.length;
   const [rigidMass, whole] = [from.rigidMass ?? Infinity, march.whole ?? Infinity];
@@ -51,14 +50,16 @@ export function beamWith(kernels, from, chosen) {
   const { contacts, cycle, duration, step, steps } = found;
   const grown = (/** @type {Float64Array} */ values) => values.map((value) => value * speed);
   const { damps, exponent, name, yields } = law;
+  const { acting, ...kept } = withLaw(from, law);
   const made = {
-    ...withLaw(from, law),
+    ...kept,
     ...Object.fromEntries(BESIDE.filter((each) => each in from).map((each) => [each, undefined])),
     ...{ chosen, duration, speed, step, reference: null },
     impactor: { ...from.impactor, mass },
     law: { name, damps, yields, rigid, exponent },
     smoothing: Math.max((2 * duration) / steps, rigid ? found.window : 0),
-    span: spanOf(found, same ? from.span.half : null),
+    span: spanOf(found, same ? from.span.half : found.half),
+    acting: [...acting.filter((each) => each !== 'restitution'), ...(damps ? ['restitution'] : [])],
     contacts: contacts.map(({ start, end, push, peak }) => {
       return /** @type {Contact} */ ([start, end, push * speed, peak * speed]);
     }),
@@ -103,14 +104,12 @@ function figuresOf({ beam, impactor, law, rigidMass, speed }, before, found, mar
   };
   const { initial, ...parts } = energies;
   const off = Object.values(parts).reduce((sum, part) => sum + part, -initial) / initial;
-  const [peak, together] = [
-    Math.max(...contacts.map((each) => each.peak)),
-    contacts[contacts.length - 1].end >= duration * (1 - 1e-12),
-  ];
+  const { end } = contacts[contacts.length - 1];
+  const together = end >= duration * (1 - 1e-12);
   return {
     ...before,
-    stillTouching: contacts[contacts.length - 1].end >= duration * (1 - 1e-9),
-    peakForce: speed * peak,
+    stillTouching: end >= duration * (1 - 1e-9),
+    peakForce: speed * Math.max(...contacts.map(({ peak }) => peak)),
     peakIndentation: law.rigid ? null : speed * deepest,
     residualIndentation: law.rigid ? null : speed * dent,
     restitution: {

@@ -72,15 +72,15 @@ const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactor
  * What is struck across, and by what [s, kg].
  * @typedef {object} Struck
  * @property {number} mass  of what strikes
- * @property {number} rigidMass  of what is struck, felt there, as is the next
- * @property {number} whole
+ * @property {number} rigidMass  of what is struck, as far as it moves at once
+ * @property {number} whole  mass of that
  * @property {number} duration  0: as long as is usual
  * @property {MarchRecord} march
  * @property {number} damping
  */
 /**
  * An impact across, in s, kg and the speed of the impact.
- * @typedef {Omit<ModalImpact, 'mass' | 'end'> & { step: number, steps: number } &
+ * @typedef {Omit<ModalImpact, 'mass' | 'end'> & { half: number | null, step: number, steps: number } &
  *   Record<'time' | 'impactor' | 'struck' | 'impactorRate' | 'struckRate' | 'rates', Float64Array> &
  *   { cycle: Cycle }} BentImpact
  */
@@ -107,12 +107,18 @@ export class Kernels {
     }
   }
   /**
-   * Room for a kernel, made when it is first asked for.
+   * Room for a kernel, made when it is first asked for; whether there is any.
    * @param {Name} name
    */
   #room(name) {
     const missing = this.ends[name] - this.memory.buffer.byteLength;
-    if (missing > 0) this.memory.grow(Math.ceil(missing / PAGE));
+    if (missing <= 0) return true;
+    try {
+      this.memory.grow(Math.ceil(missing / PAGE));
+    } catch {
+      return false; // a small device: others go on
+    }
+    return true;
   }
   /**
    * @param {Name} name
@@ -120,7 +126,6 @@ export class Kernels {
    * @param {number} size
    */
   #array(name, array, size) {
-    this.#room(name);
     return new Float64Array(this.memory.buffer, this.places[name][array], size);
   }
   /**
@@ -130,7 +135,7 @@ export class Kernels {
    */
   #call(name, ...numbers) {
     const { status } = this;
-    this.#room(name);
+    if (!this.#room(name)) return null;
     const failed = this.exports[name](status, status + NUMBER, ...numbers, ...Object.values(this.places[name]));
     const [left] = new Int32Array(this.memory.buffer, status, 1);
     if (failed || left) return null;
@@ -193,6 +198,7 @@ export class Kernels {
    */
   law(beta, reflection, { name, constants }) {
     const places = ROOM.law.constants / 2;
+    if (!this.#room('law')) return null;
     const given = this.#array('law', 'constants', ROOM.law.constants).fill(0);
     for (const end of [0, 1]) given.set([...constants], end * places);
     for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
@@ -216,6 +222,7 @@ export class Kernels {
    * @returns {ModalImpact | null}
    */
   modes(beta, reflection, law, count, touching, duration) {
+    if (!this.#room('modes')) return null;
     this.#give('modes', law);
     const called = this.#call('modes', beta, reflection, count, touching, duration);
     if (!called) return null;
@@ -232,12 +239,13 @@ export class Kernels {
   beam({ damping, duration, march, mass, rigidMass, whole }, law) {
     const { atContact, compliance, frequencies, longest, mean } = march;
     const count = frequencies.length;
+    if (!this.#room('beam')) return null;
     this.#give('beam', law);
     this.#array('beam', 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
     const called = this.#call('beam', mass, rigidMass, whole, mean, count, compliance, longest, duration);
     if (!called) return null;
     const { figures, read } = called;
-    const { contacts, deepest, dent, step, steps } = figures;
+    const { contacts, deepest, dent, half, step, steps } = figures;
     const size = ROOM.beam.drawn / HISTORIES.length;
     const drawn = read('drawn');
     const histories = /** @type {Record<typeof HISTORIES[number], Float64Array>} */ (
@@ -251,6 +259,7 @@ export class Kernels {
     const [loading, unloading] = halves('lawCycle', ROOM.beam.lawCycle);
     return {
       ...{ ...marched(figures, read), ...histories, step, steps, duration: figures.duration },
+      half: half > 0 ? half : null,
       rates: read('rates', Math.min(4 * contacts, ROOM.beam.rates)),
       force: read('force', Math.ceil(figures.duration / step - 1e-6)),
       cycle: { deepest, dent, depths, presses, loading, unloading },

@@ -59,6 +59,13 @@ export function lawFor(kernels, { chosen: before, laws, leastRestitution }, chos
 }
 
 /**
+ * The mass [kg] with which both bodies are felt.
+ * @param {number} mass  of what strikes
+ * @param {{ held: boolean, mass: number }} target
+ */
+export const felt = (mass, target) => (target.held ? mass : mass / (1 + mass / target.mass));
+
+/**
  * A message without what belongs to an impact by another law, and with the choices that act by this one.
  * @template {Lawful} F
  * @param {F} from

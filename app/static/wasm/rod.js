@@ -1,7 +1,7 @@
 // What the page draws of a mass on a uniform rod, by the browser's own answer: a message like that of the server.
 import { between } from '../charts/scale.js';
 import { figuresOf, unbalanced } from './figures.js';
-import { cycleOf, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
+import { cycleOf, felt, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
 import { besideOf, byModes } from './modal.js';
 
 /** @import { AxialFrame, Chosen, LawRecord } from '../messages.js' */
@@ -56,7 +56,8 @@ export function rodWith(kernels, from, chosen) {
   const beta = from.target.mass / mass;
   const speed = Number(chosen.speed);
   const times = speed / from.speed;
-  const law = lawFor(kernels, from, chosen, times, felt(from, mass) / felt(from, from.impactor.mass));
+  const heavier = felt(mass, from.target) / felt(from.impactor.mass, from.target);
+  const law = lawFor(kernels, from, chosen, times, heavier);
   const side = from.rods[0].mirror > 0 ? 1 : -1;
   const impact = law && (law.constants.length ? kernels.law(beta, side, law) : kernels.rod(beta, side));
   if (!impact) return null;
@@ -94,13 +95,6 @@ export function rodWith(kernels, from, chosen) {
   }
   return { ...whole, ...beside };
 }
-
-/**
- * The mass [kg] with which both bodies are felt if the striker has this one.
- * @param {AxialFrame} frame
- * @param {number} mass
- */
-const felt = ({ target }, mass) => (target.held ? mass : mass / (1 + mass / target.mass));
 
 /**
  * Whether the law acts as in the server's answer.

@@ -59,16 +59,16 @@ export const ROOM = {
     contacts: 320,
     mass: 301,
     end: 301,
-    out: 17,
+    out: 18,
   },
   beam: {
     constants: 7,
-    shapes: 192,
-    oscillators: 640,
-    histories: 1600010,
-    saved: 1088,
-    savedRates: 1088,
-    runs: 160002,
+    shapes: 144,
+    oscillators: 480,
+    histories: 4000010,
+    saved: 816,
+    savedRates: 816,
+    runs: 400002,
     slopes: 2,
     contacts: 1250,
     drawn: 2500,
@@ -76,7 +76,7 @@ export const ROOM = {
     force: 10000,
     cycle: 1060,
     lawCycle: 120,
-    out: 17,
+    out: 18,
   },
 };
 export const OUT = {
@@ -144,6 +144,7 @@ export const OUT = {
     contacts: 14,
     step: 15,
     duration: 16,
+    half: 17,
   },
 };
 export const LAWS = [

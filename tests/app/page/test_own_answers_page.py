@@ -201,6 +201,29 @@ def test_what_is_struck_across_is_answered_alike(open_page, query, name, values)
         assert found == pytest.approx(after["arrays"][array], abs=1e-4 * large), array  # of two bytes, some of them
 
 
+def test_what_acts_and_what_is_said_of_a_beam_follow_the_law_and_the_mass(open_page):
+    page = open_page("?scene=xylophone-bar&layout=opening")
+    page.wait(READY)
+    acting = "() => strikewave.page.frame.acting"
+    for law, restores in (("hunt-crossley", True), ("hertz", False)):
+        page.evaluate(MOVE_BENT, ["law", [law]])
+        before = page.evaluate(acting)
+        page.wait(AT_REST, ["law", law])
+        assert sorted(before) == sorted(page.evaluate(acting)) and ("restitution" in before) == restores
+    page.evaluate(MOVE_BENT, ["mass_ratio", [2.0]])
+    half = "() => [strikewave.page.own.made.has(strikewave.page.frame), strikewave.page.frame.span.half]"
+    own, before = page.evaluate(half)
+    page.wait(AT_REST, ["mass_ratio", 2.0])
+    assert own and before == pytest.approx(page.evaluate(half)[1], rel=1e-3)
+
+
+def test_a_rigid_contact_with_modes_that_stand_for_all_is_left_to_the_server(open_page):
+    page = open_page("?scene=figure-8.11&law=rigid&layout=opening")
+    page.wait(READY)
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('law', 'hertz')"))
+    assert page.evaluate("() => strikewave.page.own.count") == 0
+
+
 def test_modes_of_another_frame_are_left_to_the_server(open_page):
     page = open_page("?scene=free-rod&floating_frame=attached")
     page.wait(READY)
