@@ -7,6 +7,8 @@ import { late } from './late.js';
 /** @import { Page } from '../page.js' */
 
 const REST = 150; // ms without a change, after which the server is asked
+const LONG = 50; // ms for an answer; after one that took longer the server answers alone, for so many times as long:
+const PAUSE = 20;
 
 /**
  * @typedef {object} Answers  as app/static/wasm/answers.js makes them
@@ -21,6 +23,7 @@ export class OwnAnswers {
   /** @type {WeakSet<Frame>} */ made = new WeakSet();
   /** @type {Frame | null} */ whole = null; // the last answer of the server that is no draft
   beyond = ''; // choices that cannot be answered here after all
+  resumes = 0; // when it answers again
 
   /** @param {Page} page */
   constructor(page) {
@@ -54,7 +57,8 @@ export class OwnAnswers {
   get #base() {
     const { answers, page } = this;
     const { latest, goal } = page.changes;
-    if (!answers || !latest || goal || JSON.stringify(this.#chosen) === this.beyond) return null;
+    if (!answers || !latest || goal || performance.now() < this.resumes) return null;
+    if (JSON.stringify(this.#chosen) === this.beyond) return null;
     const found = [latest, ...(this.whole ? [this.whole] : [])];
     return found.find((frame) => answers.covers(frame, this.#changed(frame))) ?? null;
   }
@@ -92,11 +96,15 @@ export class OwnAnswers {
    * @param {Frame} base
    */
   #found(base) {
+    const begun = performance.now();
     try {
       return this.answers?.answer(base, this.#chosen) ?? null;
     } catch {
       this.answers = null;
       return null;
+    } finally {
+      const now = performance.now();
+      if (now - begun > LONG) this.resumes = now + PAUSE * (now - begun);
     }
   }
   #draw() {

@@ -42,6 +42,7 @@ export function head(c, [x, y], [dx, dy], long) {
 /** @typedef {[left: number, top: number, right: number, bottom: number]} Box  in pixels */
 /** @type {WeakMap<Context, { words: Box[], drawn: Box[] }>} */
 const taken = new WeakMap(); // of the picture that is being drawn
+const EDGE = 6; // px between a label and the edge of the picture
 const LINE = 13; // pixels
 const ELSEWHERE = [0, 1, -1, 2, -2, 3, 4, 5]; // lines lower, where a label is in the way
 const ASIDE = [0, 1, -1]; // and of its own width to the right
@@ -74,7 +75,7 @@ function freed(c, text, x, y) {
   const { words, drawn } = taken.get(c) ?? { words: [], drawn: [] };
   const middle = c.textBaseline === 'top' ? y + LINE / 2 : c.textBaseline === 'bottom' ? y - LINE / 2 : y;
   const wide = c.canvas.clientWidth;
-  const within = Math.max(Math.min(x, wide - right), left);
+  const within = Math.max(Math.min(x, wide - right - EDGE), left + EDGE);
   const places = ASIDE.flatMap((aside) =>
     ELSEWHERE.map((lines) => {
       const [across, line] = [within + aside * (left + right + LINE), middle + lines * LINE];
@@ -82,7 +83,9 @@ function freed(c, text, x, y) {
       return { across, box, down: y + lines * LINE };
     }),
   );
-  const seen = places.filter(({ box: [l, t, r] }, k) => t >= 0 && (k < ELSEWHERE.length || (l >= 0 && r <= wide)));
+  const seen = places.filter(
+    ({ box: [l, t, r] }, k) => t >= 0 && (k < ELSEWHERE.length || (l >= EDGE && r <= wide - EDGE)),
+  );
   const free = (/** @type {Box[]} */ others) => seen.find(({ box }) => others.every((other) => !overlap(box, other)));
   const clear = free([...words, ...drawn]);
   const { across, box, down } = clear ?? free(words) ?? places[0];

@@ -232,6 +232,25 @@ def test_modes_of_another_frame_are_left_to_the_server(open_page):
     assert page.evaluate("() => strikewave.page.own.count") == 0
 
 
+def test_after_an_answer_that_took_long_the_server_answers(open_page):
+    page = open_page()
+    page.wait(READY)
+    page.evaluate(
+        """() => {
+          const { answers } = strikewave.page.own, { answer } = answers;
+          answers.answer = (...given) => {
+            for (const begun = performance.now(); performance.now() - begun < 60; );
+            return answer.apply(answers, given);
+          };
+        }"""
+    )
+    for number, value in enumerate((0.7, 0.6)):
+        page.answered(lambda value=value: page.evaluate("v => strikewave.page.controls.send('mass_ratio', v)", value))
+        page.wait(AT_REST, ["mass_ratio", value])
+        assert page.evaluate("() => strikewave.page.own.count") == 1, number
+    assert page.evaluate("() => strikewave.page.own.resumes > performance.now()")
+
+
 def test_it_goes_on_without_a_server(open_page):
     page = open_page()
     page.wait(READY)
