@@ -134,9 +134,11 @@ def _figures(solution: Solution, name: str | None = None) -> dict[str, Any]:
 
 
 def _contacts(solution: Solution) -> dict[str, np.ndarray]:
-    """Start, end [s], impulse [N s] and peak force [N] of every contact; an impact of no duration has peak 0."""
-    rows = [[c.start, c.end, c.impulse, c.peak_force or 0.0] for c in solution.contacts[:CONTACTS]]
-    return {"contacts": np.array(rows)}
+    """Start, end [s], impulse [N s] and peak force [N] of contacts, of very many the first and the last one; an impact
+    of no duration has peak 0."""
+    listed, rest = solution.contacts[:CONTACTS], solution.contacts[CONTACTS:]
+    listed = [*listed[:-1], rest[-1]] if rest else listed
+    return {"contacts": np.array([[c.start, c.end, c.impulse, c.peak_force or 0.0] for c in listed])}
 
 
 def field_arrays(solution: Solution, stretch: Stretch, places: int) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

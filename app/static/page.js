@@ -310,7 +310,6 @@ export class Page {
    * Words and address follow once the picture is painted, and not more often than they can be read.
    */
   tell() {
-    clearTimeout(this.telling);
     const write = () => {
       this.saidAt = performance.now();
       this.telling = 0;
@@ -326,7 +325,7 @@ export class Page {
       if (known) this.history.follow();
     };
     if (!this.saidAt) write();
-    else this.telling = window.setTimeout(write, Math.max(40, this.saidAt + READ - performance.now()));
+    else this.telling ||= window.setTimeout(write, Math.max(40, this.saidAt + READ - performance.now()));
   }
   /** Of the view: that of the frame, unless the opening shows what the laboratory does not. */
   get kind() {

@@ -81,7 +81,7 @@ export function beamEvents(frame) {
     found.push(happens(contacts[LISTED][0], last === LISTED ? 'caught-up' : 'repeated', frame, numbers));
   const turn = turningPoint(frame);
   if (turn && turn[0] < contacts[last][1]) found.push(turn);
-  if (main.contacts <= contacts.length) found.push(ending(frame));
+  found.push(ending(frame));
   return found.sort((a, b) => a[0] - b[0]);
 }
 

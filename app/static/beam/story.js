@@ -216,12 +216,16 @@ export class BeamStory {
    * @param {number} here  the contact that lasts, if any
    */
   sentence(t, here) {
-    const { contacts } = this.frame;
+    const { contacts, main } = this.frame;
     const [own, ahead] = this.rates(t);
     const values = this.values(t);
-    if (here >= 0) return tell('beam.now.touching', this.frame, { ...values, number: here + 1 });
+    const last = contacts.length - 1;
+    const many = main.contacts > contacts.length; // of which those before the last are not known one by one
+    if (here >= 0)
+      return tell('beam.now.touching', this.frame, { ...values, number: here === last ? main.contacts : here + 1 });
     const before = contacts.findLastIndex(([, end]) => end < t);
-    if (before === contacts.length - 1) return tell('beam.now.parted', this.frame, values);
+    if (before === last) return tell('beam.now.parted', this.frame, values);
+    if (many && before === last - 1) return tell('beam.now.among', this.frame, { ...values, number: last });
     const away = own < 0 ? 'apart' : 'ahead';
     const next = ahead > own ? away : own < 0 ? 'struck' : 'striker';
     return tell('beam.now.apart', this.frame, { ...values, number: before + 1, next });

@@ -7,7 +7,7 @@ import { late } from './late.js';
 /** @import { Page } from '../page.js' */
 
 const REST = 150; // ms without a change, after which the server is asked
-const LONG = 50; // ms for an answer; after one that took longer the server answers alone, for so many times as long:
+const LONG = 50; // ms for an answer; after two that took longer the server answers alone, for so many times as long:
 const PAUSE = 20;
 
 /**
@@ -23,6 +23,7 @@ export class OwnAnswers {
   /** @type {WeakSet<Frame>} */ made = new WeakSet();
   /** @type {Frame | null} */ whole = null; // the last answer of the server that is no draft
   beyond = ''; // choices that cannot be answered here after all
+  slow = 0; // answers in a row that took long
   resumes = 0; // when it answers again
 
   /** @param {Page} page */
@@ -86,10 +87,13 @@ export class OwnAnswers {
     this.due ||= requestAnimationFrame(() => this.#draw());
     return true;
   }
-  /** Show the server's last answer in place of one that was found here. */
+  /** Show the server's last answer in place of one that was found here, and its choices. */
   restore() {
-    const { changes, frame } = this.page;
-    if (this.made.has(frame)) this.page.take(changes.bytes);
+    const { changes, controls, frame } = this.page;
+    if (!this.made.has(frame)) return;
+    for (const [name, value] of Object.entries(changes.latest.chosen))
+      if (!Object.is(value, frame.chosen[name])) controls.show(name, value);
+    this.page.take(changes.bytes);
   }
   /**
    * The answer, if there is one; a module that has failed is not asked again.
@@ -104,7 +108,8 @@ export class OwnAnswers {
       return null;
     } finally {
       const now = performance.now();
-      if (now - begun > LONG) this.resumes = now + PAUSE * (now - begun);
+      this.slow = now - begun > LONG ? this.slow + 1 : 0;
+      if (this.slow > 1) this.resumes = now + PAUSE * (now - begun);
     }
   }
   #draw() {

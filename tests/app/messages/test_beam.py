@@ -15,7 +15,7 @@ from app.choices.scene_of import choices_of, chosen_scene
 from app.messages.encoding import instants, read_header
 from app.messages.histories import struck_velocity
 from app.messages.solve import solve_frame
-from app.messages.transverse import PLACES, chosen_method
+from app.messages.transverse import CONTACTS, PLACES, chosen_method
 from app.page.picker import scene_groups
 from app.text.refusals import Refused
 from app.views.convergence import convergence_data
@@ -184,3 +184,10 @@ def test_a_mechanism_is_answered_whatever_the_method(scene, method):
     assert header["main"]["name"] == method or header["refused"]
     assert len(header["main"]["joints"]) == len(header["mechanism"]["joints"])
     assert (header["reference"] is None) == (scene == "slider-crank")
+
+
+def test_of_very_many_contacts_the_last_is_there_too():
+    message = solve_frame(choices("hammer-on-cantilever", law="rigid", mass_ratio=0.0441))
+    found, listed = read_header(message)["main"], arrays(message)["contacts"]
+    assert found["contacts"] > CONTACTS == len(listed)
+    assert listed[-1, 0] > listed[-2, 1] and listed[-1, 1] > 0.5 * read_header(message)["span"]["apparent"]
