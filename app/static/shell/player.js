@@ -207,15 +207,22 @@ export class Player {
   /** @param {Event} event  whose caption is to be read */
   #wait(event) {
     const [least, most] = CAPTION;
-    this.waits = performance.now() + Math.min(Math.max(READING * event[1].split(' ').length, least), most);
-    this.score.hold(true);
+    const wait = Math.min(Math.max(READING * event[1].split(' ').length, least), most);
+    this.waits = performance.now() + wait;
+    this.button.style.setProperty('--wait', `${wait}ms`);
+    this.#hold(true);
+  }
+  /** @param {boolean} holding  the clock, which is seen on its button */
+  #hold(holding) {
+    this.button.classList.toggle('waiting', holding);
+    this.score.hold(holding);
   }
   /** The hand has taken the clock: nothing is waited for any more. */
   #taken() {
     this.played = true;
     this.touring = false;
     this.waits = 0;
-    this.score.hold(false);
+    this.#hold(false);
     this.score.taken();
   }
   /**
@@ -281,7 +288,7 @@ export class Player {
     const elapsed = this.last ? Math.min(now - this.last, 100) / 1000 : 0;
     this.last = now;
     if (now < this.waits) return;
-    if (this.waits) this.score.hold(false);
+    if (this.waits) this.#hold(false);
     this.waits = 0;
     const [low, high] = this.score.range().map((t) => t - this.start);
     const end = Math.min(this.duration, this.until, this.looping && high > this.t ? high : Infinity);
