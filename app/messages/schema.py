@@ -149,7 +149,9 @@ BENDING: Fields = {  # of a beam, or the struck link of a mechanism
     "struckPath": Field("(time)", "[m]"),
     "impactorRate": Field("(time)", "[m/s]"),
     "struckRate": Field("(time)", "[m/s]"),
-    "contacts": Field("(contacts, 4)", "start, end [s], impulse [N s], peak force [N]; of very many the first, and the last"),
+    "contacts": Field(
+        "(contacts, 4)", "start, end [s], impulse [N s], peak force [N]; of many the first, and the last"
+    ),
     "rates": Field("(listed, 2, 2)", "as each contact begins and ends: of impactor and struck place [m/s]"),
     **optional(
         {

@@ -294,7 +294,7 @@ export interface Bending extends Common {
   /** (time) [m] */ struckPath: Numbers;
   /** (time) [m/s] */ impactorRate: Numbers;
   /** (time) [m/s] */ struckRate: Numbers;
-  /** (contacts, 4) start, end [s], impulse [N s], peak force [N]; of very many the first, and the last */ contacts: Contact[];
+  /** (contacts, 4) start, end [s], impulse [N s], peak force [N]; of many the first, and the last */ contacts: Contact[];
   /** (listed, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
   /** (wavenumbers) [1/m] */ wavenumbers?: Numbers;
   /** (wavenumbers) angular frequency [rad/s] */ lower?: Numbers;
