@@ -214,7 +214,7 @@ export class Player {
   }
   /** @param {boolean} holding  the clock, which is seen on its button */
   #hold(holding) {
-    this.button.classList.toggle('waiting', holding);
+    this.button.classList.toggle('held', holding);
     this.score.hold(holding);
   }
   /** The hand has taken the clock: nothing is waited for any more. */
