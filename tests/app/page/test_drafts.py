@@ -18,6 +18,12 @@ from app.serving import guard
 SLOW = "figure-8.10"  # 15 elements, 180 000 steps
 
 
+@pytest.fixture
+def slow(monkeypatch):
+    """However quick this machine is, an answer takes four times as long as feels immediate."""
+    monkeypatch.setattr("app.page.drafts.solve_seconds", lambda message: 4.0 * QUICK_SECONDS)
+
+
 def chosen(scene, **changed):
     return Choices(**({"scene": scene} | choices_of(scene) | changed)).chosen()
 
@@ -59,12 +65,14 @@ def moved(*names: str) -> list[bool]:
     return [DRAFT in lab.wish(name) for name in names]
 
 
+@pytest.mark.usefixtures("slow")
 def test_one_slider_that_changes_again_and_again_is_answered_by_drafts():
     assert moved(*4 * ["speed"]) == [False, False, True, True]
     assert moved("speed", "mass_ratio", "speed", "mass_ratio") == 4 * [False]
     assert moved("speed", "speed", "mass_ratio", "speed", "speed") == 5 * [False]
 
 
+@pytest.mark.usefixtures("slow")
 def test_a_mechanism_that_moves_on_is_answered_by_drafts_from_the_first_change_of_a_number():
     lab = Lab(**chosen("four-bar-moves", motion_seconds=0.06))
     lab.frame, lab._resting = solve_frame(lab.chosen()), True
@@ -73,6 +81,7 @@ def test_a_mechanism_that_moves_on_is_answered_by_drafts_from_the_first_change_o
     ]
 
 
+@pytest.mark.usefixtures("slow")
 @pytest.mark.parametrize("answered", [True, False])
 def test_a_movement_goes_on_while_the_page_waits_for_a_slow_answer(answered):
     lab = Lab(**chosen(SLOW))
@@ -84,6 +93,7 @@ def test_a_movement_goes_on_while_the_page_waits_for_a_slow_answer(answered):
     assert (DRAFT in wish) == answered
 
 
+@pytest.mark.usefixtures("slow")
 def test_a_draft_that_is_still_slow_is_followed_by_a_coarser_one():
     lab = Lab(**chosen(SLOW))
     lab.frame, lab._resting = solve_frame(chosen(SLOW) | {DRAFT: 0.5}), True  # 90 000 steps
