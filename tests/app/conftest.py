@@ -214,10 +214,16 @@ class Page:
         return self.evaluate("key => strikewave.page.frame[key]", key)
 
     def answered(self, act) -> None:
-        """Do something and wait until its answer is drawn."""
+        """Do something and wait until its answer is drawn, and said."""
         before = self.evaluate("() => strikewave.frames")
         act()
-        self.wait("n => strikewave.frames > n && !strikewave.page.asked && !strikewave.page.frame.draft", before)
+        self.wait(
+            """(before) => {
+              const { asked, frame, telling } = strikewave.page;
+              return strikewave.frames > before && !asked && !frame.draft && !telling;
+            }""",
+            before,
+        )
 
     def show_scene(self, name: str) -> None:
         """Choose a scene as the gallery does, and wait until it is drawn."""
