@@ -95,6 +95,13 @@ export class Bodies {
     page.model.body_value = ''; // which the page hears of, as of any change
     this.#ask();
   }
+  /**
+   * Whether a value has no answer yet.
+   * @param {string} key
+   */
+  #awaited(key) {
+    return this.asked === key || this.waiting.has(key);
+  }
   /** Keys and values that have no answer yet. */
   get unanswered() {
     return [...(this.asked ? [[this.asked, this.value]] : []), ...this.waiting];
@@ -192,16 +199,19 @@ export class Bodies {
    */
   #number(key, { quantity, own, low, high }, body, parts) {
     made += 1;
-    const input = numberInput();
-    input.id = `body-${made}`;
-    input.placeholder = text('bodies.unknown');
+    const input = Object.assign(numberInput(), { id: `body-${made}`, placeholder: text('bodies.unknown') });
     let unit = unitOf(quantity, Number(own ?? 0));
     let last = '';
+    let entered = ''; // until it is answered
     let typing = false;
     const label = make('label', { htmlFor: input.id, textContent: NAMES[quantity] });
     const sign = make('span', { className: 'unit', textContent: unit.sign });
     const scale = scaleOf(quantity, Number(own), parts);
-    const slider = scale && sliderOf(scale, (value) => this.set(key, value));
+    const tried = (/** @type {number} */ value) => {
+      entered = '';
+      this.set(key, value);
+    };
+    const slider = scale && sliderOf(scale, tried);
     const row = rowOf(label, input, sign, ...(slider ? [slider.root] : []));
     input.oninput = () => {
       typing = input.value.trim() !== last;
@@ -213,6 +223,7 @@ export class Bodies {
       if (!typing) return row.complain('');
       if (!given) {
         typing = false;
+        entered = '';
         return this.set(key);
       }
       const value = read(given, quantity, unit);
@@ -220,7 +231,7 @@ export class Bodies {
       row.complain(refused);
       if (refused) return undefined;
       typing = false;
-      last = input.value = inUnit(value, unit); // not as it was typed
+      entered = input.value = inUnit(value, unit); // not as it was typed
       return this.set(key, value);
     };
     return {
@@ -228,7 +239,7 @@ export class Bodies {
       complain: (sentence) => {
         row.complain(sentence);
         typing = false;
-        if (sentence) input.value = last;
+        if (sentence) input.value = entered || last;
         if (sentence) slider?.show();
       },
       show: ({ value, own: scenes }) => {
@@ -236,14 +247,12 @@ export class Bodies {
         sign.textContent = unit.sign;
         input.ariaLabel = text('bodies.field', { name: spoken(NAMES[quantity]), unit: unit.sign || 'none', body });
         const shown = value === null ? '' : inUnit(Number(value), unit);
-        if (shown !== last) row.complain('');
+        if (shown !== (entered || last)) row.complain('');
         last = shown;
-        if (!typing) input.value = last;
-        slider?.show(
-          Number(value),
-          `${last} ${unit.sign}`,
-          text('bodies.slider', { name: spoken(NAMES[quantity]), body }),
-        );
+        if (!this.#awaited(key)) entered = '';
+        if (!typing) input.value = entered || last;
+        const about = text('bodies.slider', { name: spoken(NAMES[quantity]), body });
+        slider?.show(Number(value), `${last} ${unit.sign}`, about);
         row.mark(same(value, scenes), scenes === null ? text('bodies.unknown') : written(quantity, Number(scenes)));
       },
     };

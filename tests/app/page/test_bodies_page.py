@@ -161,6 +161,21 @@ def test_a_mechanism_is_built_otherwise_by_its_links_and_joints(open_page):
     expect(field(page, "Place x", 7)).to_have_value("400")
 
 
+def test_what_is_refused_stays_in_its_field_whatever_is_drawn_meanwhile(open_page):
+    page = open_page("?scene=four-bar")
+    body(page, 7).locator("summary").click()
+    typed(page, "Place y", "500 mm", 7)
+    field(page, "Place x", 7).evaluate(
+        """(input) => {
+          input.value = '400 mm'; // where the coupler ends
+          for (const name of ['input', 'change']) input.dispatchEvent(new Event(name));
+          strikewave.page.bodies.load(strikewave.page.frame);
+        }"""
+    )
+    expect(page.tab.locator(".wrong:visible")).to_contain_text("The mechanism cannot be like that. Allowed: ")
+    expect(field(page, "Place x", 7)).to_have_value("400")
+
+
 def test_sizes_are_tried_by_sliders_too(open_page):
     page = open_page("?scene=four-bar")
     body(page, 7).locator("summary").click()
