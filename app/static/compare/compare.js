@@ -159,7 +159,7 @@ export class Compare {
     const { changes, history } = page;
     const { chosen } = page.frame;
     const lost = [];
-    history.going = true; // to where it was kept: that is no step
+    history.going ??= wanted; // to where it was kept: that is no step
     changes.quiet = page.root.inert = true;
     page.waiter.soon('kept', text('compare.restoring'));
     for (const { letter, settings } of wanted)
@@ -171,7 +171,7 @@ export class Compare {
     if (lost.length) page.complain(text('compare.lost', { names: lost }));
     this.runs.sort((a, b) => a.letter.localeCompare(b.letter));
     this.#changed();
-    history.going = false;
+    if (history.going === wanted) history.going = null;
   }
   /**
    * Have these kept and no others, as undo and redo ask.

@@ -32,7 +32,7 @@ export class History {
   changed = -Infinity; // when the choices have changed last
   followed = ''; // choices that were shown last
   /** @type {Writing | undefined} */ writing; // in a field
-  going = false; // to an entry: what is answered meanwhile is no step
+  /** @type {object | null} */ going = null; // what it goes to: what is answered meanwhile is no step
   /** @type {number | undefined} */ resting;
 
   /** @param {Page} page */
@@ -82,19 +82,21 @@ export class History {
     this.#settle();
     if ((this.entry?.strikewave ?? 0) < this.top) this.entries.forward();
   }
+  /** What is still to be written comes before. */
   #settle() {
-    const { frame, own } = this.page;
-    if (this.resting || own.made.has(frame)) this.write(); // what is still to be written comes before
+    const { frame, own, telling } = this.page;
+    if (!this.going && (this.resting || telling || own.made.has(frame))) this.write();
   }
   /**
    * Another answer is shown. While choices change again and again, all in one step, the address follows at rest:
    * browsers take 5 ms to write it.
    */
   follow() {
+    if (this.going) return; // that is written on arrival
     const chosen = JSON.stringify(this.page.frame.chosen);
     const now = performance.now();
     const soon = chosen !== this.followed && now - this.changed < PAUSE;
-    const goesOn = soon && this.entry && !this.going && this.entry.chosen.scene === this.page.frame.chosen.scene;
+    const goesOn = soon && this.entry && this.entry.chosen.scene === this.page.frame.chosen.scene;
     this.followed = chosen;
     if (!goesOn) {
       this.write();
@@ -147,7 +149,7 @@ export class History {
   /** What is seen has changed, not what is chosen: the address follows in a moment. */
   later() {
     clearTimeout(this.resting);
-    this.resting = window.setTimeout(() => this.write(), REST);
+    this.resting = window.setTimeout(() => this.going || this.write(), REST);
   }
   #enable() {
     const at = this.entry?.strikewave ?? 0;
@@ -158,11 +160,12 @@ export class History {
   #arrive() {
     const { entry, page } = this;
     if (!entry || !page.frame) return;
-    this.going = true;
+    this.going = entry;
     page.opening.come(entry);
     page.goTo(entry.chosen, async () => {
-      await page.compare.recall(entry.kept ?? []);
-      this.going = false;
+      if (this.going === entry) await page.compare.recall(entry.kept ?? []);
+      if (this.going !== entry) return; // on to another
+      this.going = null;
       this.write();
     });
     this.#enable();

@@ -41,6 +41,11 @@ MOVE = """async ([name, values]) => {
   return [seen, (STATE)()];
 }""".replace("STATE", STATE)
 MOVE_BOTH = MOVE.replace("()];", f"(), ({BESIDE})()];")
+CHOOSE = "(choice) => strikewave.page.choose(...choice)"
+ARRIVED = """(search) => {
+  const { asked, history } = strikewave.page;
+  return location.search === search && !asked && !history.going;
+}"""
 AT_REST = """([name, value]) => {
   const { frame, own, changes } = strikewave.page;
   return !own.made.has(frame) && frame.chosen[name] === value && !changes.asked;
@@ -324,6 +329,38 @@ def test_undo_while_the_server_has_not_answered_goes_back_by_one(open_page):
     page.evaluate(MOVE, ["mass_ratio", [0.5]])
     page.tab.get_by_role("button", name="Undo").click()
     page.wait(AT_REST, ["mass_ratio", 0.8])
+
+
+def test_undo_goes_back_by_one_as_soon_as_the_server_has_answered(open_page):
+    page = open_page()
+    page.wait(READY)
+    page.answered(lambda: page.evaluate(CHOOSE, ["mass_ratio", 0.8]))
+    page.tab.wait_for_timeout(1200)  # another move then is a step of its own
+    page.evaluate(
+        """async () => {
+          const { page } = strikewave;
+          page.own.answers = null;
+          page.choose('mass_ratio', 0.5);
+          while (page.frame.chosen.mass_ratio !== 0.5) await new Promise(requestAnimationFrame);
+          page.history.undo(); // before anything is said of the answer
+        }"""
+    )
+    page.wait(AT_REST, ["mass_ratio", 0.8])
+
+
+def test_undo_twice_at_once_goes_back_by_two(open_page):
+    page = open_page("?scene=four-bar")
+    places = [page.evaluate("() => location.search")]
+    for value in (0.9, 0.7):
+        page.answered(lambda value=value: page.evaluate(CHOOSE, ["restitution", value]))
+        places.append(page.evaluate("() => location.search"))
+        page.tab.wait_for_timeout(1200)
+    page.evaluate("() => { const { history } = strikewave.page; history.undo(); history.undo(); }")
+    page.wait(ARRIVED, places[0])
+    for place in places[1:]:
+        page.evaluate("() => strikewave.page.history.redo()")
+        page.wait(ARRIVED, place)
+    assert page.evaluate("() => strikewave.page.frame.chosen.restitution") == 0.7
 
 
 def test_histories_are_saved_once_the_server_has_solved_them(open_page):
