@@ -11,15 +11,7 @@ from solvers.text.catalogue import Catalogue
 from ..choices.choices import START, Choices
 from ..choices.request import Request
 
-WIDTH, HEIGHT = 780, 188  # of the stage in a common window, in its own units; it is scaled to the true ones
-LEFT, RIGHT, MIDDLE, TALL, MASS = (
-    164,
-    750,
-    88,
-    56,
-    52,
-)  # where rod and mass are, as app/static/axial/stage.js draws them
-REACH = 0.16  # of the rod's length that the largest movement takes
+REACH = 0.072  # of the rod's length that the largest movement takes, as app/static/axial/stage.js draws it
 INSTANT = 0.36  # round trips: the front is under way
 SLICES = 120
 STOPS = np.array(  # of the colours, as in app/static/charts/styles.js
@@ -39,12 +31,12 @@ def bare_frame(title: str = "", stage: str = "") -> str:
     """The frame of the page, with what is to be seen in it."""
     return (
         f"<header><b>Strikewave</b><span>{title}</span></header><aside></aside><main><p>{title}</p>"
-        f"<div>{stage}</div><i></i><div></div></main><aside></aside>"
+        f"<div>{stage}</div></main><aside></aside>"
     )
 
 
 def stage_of(exact: Solution) -> str:
-    """The struck rod, coloured by its stress, and the mass, as a picture."""
+    """The struck rod, coloured by its stress, and the places of mass and wall: page.css has their sizes."""
     rod = exact.scene.target
     now = np.array([INSTANT * exact.scene.time_unit])
     places = np.linspace(0.0, rod.length, SLICES + 1)
@@ -55,23 +47,13 @@ def stage_of(exact: Solution) -> str:
     farthest = max(
         np.abs(exact.known_motion.impactor_position(times)).max(), np.abs(exact.known_motion.end_position(times)).max()
     )
-    scale = REACH * (RIGHT - LEFT) / farthest  # units of the picture in a metre of movement
-    x = LEFT + (RIGHT - LEFT) * places / rod.length + scale * moved
-    face = LEFT + scale * exact.known_motion.impactor_position(now)[0]
-    drawn = [
-        _box(
-            x[k], MIDDLE - TALL / 2, x[k + 1] - x[k] + 0.7, TALL, colour(stress[k : k + 2].mean(), np.abs(whole).max())
-        )
+    x = places / rod.length + REACH / farthest * moved
+    drawn = "".join(
+        f'<rect x="{x[k]:.4f}" width="{x[k + 1] - x[k] + 0.001:.4f}" height="1" '
+        f'fill="{colour(stress[k : k + 2].mean(), np.abs(whole).max())}"/>'
         for k in range(SLICES)
-    ]
-    drawn += [
-        f'<rect x="{x[0]:.1f}" y="{MIDDLE - TALL / 2}" width="{x[-1] - x[0]:.1f}" height="{TALL}" fill="none" '
-        'stroke="#4a5968"/>',
-        f'<rect x="{face - MASS:.1f}" y="{MIDDLE - MASS / 2}" width="{MASS}" height="{MASS}" rx="5" fill="#3d4b59"/>',
-    ]
-    if rod.held:
-        drawn.append(_box(x[-1], MIDDLE - TALL * 0.95, 5.0, 1.9 * TALL, "#55636f"))
-    return _picture(WIDTH, HEIGHT, "".join(drawn))
+    )
+    return f'<svg viewBox="0 0 1 1" preserveAspectRatio="none">{drawn}</svg><b></b><i></i>'
 
 
 def colour(value: float, largest: float) -> str:
@@ -79,11 +61,3 @@ def colour(value: float, largest: float) -> str:
     place = (1.0 + min(max(value / largest, -1.0), 1.0)) / 2.0 * (len(STOPS) - 1)
     mixed = [np.interp(place, np.arange(len(STOPS)), channel) for channel in STOPS.T]
     return "#" + "".join(f"{round(part):02x}" for part in mixed)
-
-
-def _box(x: float, y: float, width: float, height: float, fill: str) -> str:
-    return f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" fill="{fill}"/>'
-
-
-def _picture(width: int, height: int, drawn: str) -> str:
-    return f'<svg viewBox="0 0 {width} {height}" preserveAspectRatio="xMidYMid meet">{drawn}</svg>'
