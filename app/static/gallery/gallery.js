@@ -165,6 +165,7 @@ export class Gallery {
   edit(editing) {
     this.editor.root.hidden = !editing;
     this.body.hidden = this.search.hidden = this.count.hidden = editing;
+    this.root.setAttribute('closedby', editing ? 'closerequest' : 'any'); // a press beside it ends no writing
   }
   /** @param {string} scene */
   choose(scene) {

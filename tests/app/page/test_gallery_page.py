@@ -182,3 +182,15 @@ def test_a_long_scene_of_fewer_balls_follows_one_of_more(open_page):
     assert page.evaluate("() => strikewave.page.frame.target.row.length") == 2
     expect(page.tab.locator(".ask h2")).to_contain_text("?")
     page.wait("() => strikewave.page.opening.section.shown")
+
+
+def test_a_press_beside_it_closes_it_but_ends_no_writing(open_page):
+    page = open_page()
+    opened(page)
+    page.tab.mouse.click(3, 300)
+    expect(gallery(page)).to_be_hidden()
+    opened(page)
+    page.tab.get_by_role("button", name="Change this scene as text").click()
+    page.tab.mouse.click(3, 300)
+    page.frames_pass(3)
+    expect(gallery(page)).to_be_visible()
