@@ -199,7 +199,7 @@ export class Section {
     c.lineWidth = 1;
     c.fillStyle = COLORS.faint;
     c.textAlign = 'center';
-    for (const force of ticks(0, this.most * factor, track / (70 * zoom)).found) {
+    for (const force of ticks(0, this.most * factor, Math.max(track / (70 * zoom), 2)).found) {
       const x = Math.round(this.#x(force / factor)) + 0.5;
       c.strokeStyle = force ? COLORS.grid : COLORS.edge;
       c.beginPath();
@@ -306,14 +306,18 @@ export class Section {
       }
       return top >= first && top + high <= first + all;
     };
-    const found = [...(beside ? [down - tall / 2] : []), down - high - 6, down + 8, this.y(contacts[0][1]) + 8].find(
-      clear,
-    );
+    const far = this.y(contacts[0][1]) + 8;
+    const found = [...(beside ? [down - tall / 2] : []), down - high - 6, down + 8, far].find(clear);
     const [side, top] = found === undefined ? [base + 8, Math.max(down - tall / 2, first)] : [left, found];
     const ink = others.some(({ cursor }) => cursor) ? STYLES[style].color : COLORS.ink; // whose it is, of several
     this.words.say(words, side, top + 0.85 * tall, ink, font);
     this.words.say(text('opening.peak'), side, top + tall + 0.75 * LABEL.line * zoom, COLORS.faint);
-    c.fillStyle = COLORS.ink;
+    c.fillStyle = c.strokeStyle = COLORS.ink;
+    c.lineWidth = 0.5;
+    c.beginPath();
+    if (found === far) c.moveTo(left + wide / 2, far > down ? far : far + high);
+    c.lineTo(at, down);
+    c.stroke();
     c.beginPath();
     c.arc(at, down, 3.5, 0, 7);
     c.fill();
