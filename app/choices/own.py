@@ -13,7 +13,7 @@ from solvers.scenes.saved import MARK as SAVED
 
 from ..text.refusals import Refused, reason_of
 
-MARK = "own."  # with which their names begin, see app/static/shell/own.js
+MARK = "own."  # with which their names begin, see app/static/wire/own.js
 LONGEST = 3_000  # letters of a name
 LONGEST_TEXT = 20_000  # bytes of the text
 AT_LINE = re.compile(r"\bline (\d+)")

@@ -89,7 +89,7 @@ def _document(language: str) -> str:
         "NO-SCRIPT": escape(texts["document.no-script"]),
         "LANGUAGE": language,
         "SESSION": escape(session, quote=False),
-        "STYLE": (STATIC / "shell/page.css").read_text("utf-8"),
+        "STYLE": (STATIC / "frame/page.css").read_text("utf-8"),
         "STILL": first_still(page(language)),
     }
     text = (HERE / "folder.html").read_text("utf-8")

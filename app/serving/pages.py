@@ -44,8 +44,8 @@ TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in L
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 # what is sent packed, by its ending
 PACKED = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".wasm": "application/wasm"}
-OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
-OF_ANOTHER_PAGE = {"shell/embedded.css"}  # which a laboratory there loads beside
+OF_THE_DOCUMENT = {"frame/page.css", "browser/modules.js", "browser/start.js"}  # which it loads itself, in page.html
+OF_ANOTHER_PAGE = {"frame/embedded.css"}  # which a laboratory there loads beside
 LATE = {*APART, "gallery/gallery.css", "wasm/kernels.wasm"}
 FILES = {ENTRY, SHEETS, "example-record.csv", *OF_THE_DOCUMENT, *OF_ANOTHER_PAGE, *LATE}
 POLICY = (
@@ -84,7 +84,7 @@ def shell(first: bool, language: str) -> str:
         text = text.replace(mark, escape(page(language).texts[code]))
     text = text.replace("VERSION", VERSION).replace("LANGUAGE", language)
     text = text.replace("PRELOADS", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
-    return text.replace("STYLE", (STATIC / "shell/page.css").read_text("utf-8")).replace(
+    return text.replace("STYLE", (STATIC / "frame/page.css").read_text("utf-8")).replace(
         "STILL", first_still(page(language)) if first else bare_frame()
     )
 

@@ -5,42 +5,43 @@ import { whenResized } from './charts/canvas.js';
 import { watchScrolling } from './charts/gestures.js';
 import { Compare } from './compare/compare.js';
 import { FallView, falls } from './fall/view.js';
+import { COMPARED } from './kinds.js';
 import { MechanismView } from './mechanism/view.js';
 import { Analyses } from './panels/panels.js';
-import { Bodies } from './shell/bodies.js';
-import { Caption } from './shell/caption.js';
-import { Changes } from './shell/changes.js';
-import { Closer } from './shell/closer.js';
-import { cameBack, Connection } from './shell/connection.js';
-import { Controls } from './shell/controls.js';
-import { make } from './shell/dom.js';
-import { Help } from './shell/help.js';
-import { History } from './shell/history.js';
-import { alone } from './shell/home.js';
-import { listenToKeys } from './shell/keys.js';
-import { Layout } from './shell/layout.js';
-import { follow, readLink } from './shell/link.js';
-import { Scenes } from './shell/scenes.js';
-import { refusalIn } from './shell/model.js';
-import { decode } from './shell/message.js';
+import { Bodies } from './form/bodies.js';
+import { Caption } from './frame/caption.js';
+import { Changes } from './wire/changes.js';
+import { Closer } from './wire/closer.js';
+import { cameBack, Connection } from './wire/connection.js';
+import { Controls } from './form/controls.js';
+import { make } from './browser/dom.js';
+import { Help } from './frame/help.js';
+import { History } from './frame/history.js';
+import { alone } from './browser/home.js';
+import { listenToKeys } from './frame/keys.js';
+import { Layout } from './frame/layout.js';
+import { follow, readLink } from './frame/link.js';
+import { Scenes } from './form/scenes.js';
+import { refusalIn } from './wire/model.js';
+import { decode } from './wire/message.js';
 import { Opening } from './opening/opening.js';
-import { OwnAnswers } from './shell/own_answers.js';
-import { Player } from './shell/player.js';
-import { copyLink } from './shell/share.js';
-import { Striker } from './shell/striker.js';
-import { Symbols } from './shell/symbols.js';
-import { Take } from './shell/take.js';
-import { Toast } from './shell/toast.js';
-import { times } from './shell/times.js';
-import { goOn, stateOf } from './shell/state.js';
-import { Waiting } from './shell/waiting.js';
+import { OwnAnswers } from './wire/own_answers.js';
+import { Player } from './clock/player.js';
+import { copyLink } from './frame/share.js';
+import { Striker } from './frame/striker.js';
+import { Symbols } from './frame/symbols.js';
+import { Take } from './frame/take.js';
+import { Toast } from './frame/toast.js';
+import { times } from './clock/times.js';
+import { goOn, stateOf } from './frame/state.js';
+import { Waiting } from './frame/waiting.js';
 import { SpaceView } from './space/view.js';
 import { text } from './text/catalogue.js';
 
 /** @import { Chosen, Frame } from './messages.js' */
-/** @import { Model } from './shell/model.js' */
-/** @import { Event } from './shell/story.js' */
-/** @import { Kind, View } from './shell/view.js' */
+/** @import { Model } from './wire/model.js' */
+/** @import { Event } from './frame/story.js' */
+/** @import { Kind, View } from './frame/view.js' */
 
 const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again
@@ -75,7 +76,7 @@ export class Page {
     });
     this.history = new History(this);
     this.help = new Help();
-    this.compare = new Compare(this);
+    this.compare = new Compare(this, COMPARED);
     this.axial = new AxialView(this);
     this.beam = new BeamView(this);
     this.mechanism = MechanismView && new MechanismView(this); // a folder without a server has no such scenes
@@ -101,7 +102,7 @@ export class Page {
     for (const { stage } of Object.values(this.views))
       stage.striker = new Striker(this, stage.canvas, () => this.player.go(this.player.t));
     this.root.append(this.toast.root, this.help.root);
-    const sheets = alone ? ['sheets.css'] : ['sheets.css', 'shell/embedded.css'];
+    const sheets = alone ? ['sheets.css'] : ['sheets.css', 'frame/embedded.css'];
     el.append(...sheets.map(sheet), this.root, this.waiter.root);
     this.connection = new Connection(model, this.root, {
       state: () => stateOf(this),

@@ -1,10 +1,10 @@
 // Values of bodies: what is typed, what is shown, and both in an address.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { entriesOf, inUnit, read, textOf, unitOf, written } from '../../app/static/shell/body_values.js';
+import { entriesOf, inUnit, read, textOf, unitOf, written } from '../../app/static/wire/body_values.js';
 import { text } from '../../app/static/text/catalogue.js';
 import { ambiguous, signsOf, typed } from '../../app/static/text/units.js';
-import { keptOf, keptText } from '../../app/static/shell/kept.js';
+import { keptOf, keptText } from '../../app/static/frame/kept.js';
 
 const MM = unitOf('length', 0.3);
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { clearTimeout } from 'node:timers';
-import { Changes } from '../../app/static/shell/changes.js';
+import { Changes } from '../../app/static/wire/changes.js';
 
 Object.assign(globalThis, { window: globalThis });
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { withFiner } from '../../app/static/charts/scale.js';
-import { refined } from '../../app/static/shell/closer.js';
+import { refined } from '../../app/static/wire/closer.js';
 
 const numbers = (table) => Object.fromEntries(Object.entries(table).map(([key, row]) => [key, Float64Array.from(row)]));
 const read = (table) => Object.fromEntries(Object.entries(table).map(([key, row]) => [key, [...row]]));

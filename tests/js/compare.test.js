@@ -2,10 +2,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { comparedOf, difference, figuresOf, leastSaid, sentences, shareOf } from '../../app/static/compare/figures.js';
-import { comparable, differing, kindsOf, lineOf } from '../../app/static/compare/settings.js';
+import { comparable, compares } from '../../app/static/compare/kinds.js';
+import { differing, kindsOf, lineOf } from '../../app/static/form/settings.js';
+import { COMPARED } from '../../app/static/kinds.js';
 import { paragraphsOf } from '../../app/static/compare/summary.js';
 import { text } from '../../app/static/text/catalogue.js';
 import { verdictOf } from '../../app/static/compare/verdict.js';
+
+compares(COMPARED);
 
 /**
  * As much of a message as is compared.

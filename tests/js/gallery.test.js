@@ -5,7 +5,7 @@ import { nearest } from '../../app/static/gallery/gallery.js';
 import { at, unpacked } from '../../app/static/gallery/picture.js';
 import { entry, matches } from '../../app/static/gallery/search.js';
 import { questionOf } from '../../app/static/opening/question.js';
-import { fileOf, isOwn, LONGEST, nameOf, textOf } from '../../app/static/shell/own.js';
+import { fileOf, isOwn, LONGEST, nameOf, textOf } from '../../app/static/wire/own.js';
 
 const CHAPTER = { code: 'scenes.thesis', severity: 'refusal', values: { chapter: '7' } };
 const BEAMS = { code: 'scenes.beams', severity: 'refusal', values: {} };

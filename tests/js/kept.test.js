@@ -1,7 +1,7 @@
 // Kept solutions in an address, there and back.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { keptOf, keptText } from '../../app/static/shell/kept.js';
+import { keptOf, keptText } from '../../app/static/frame/kept.js';
 
 /** @type {any} */
 const SPEC = {

@@ -1,7 +1,7 @@
 // Which undo a key means: that of the field that is written in, or that of the page.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Writing } from '../../app/static/shell/keys.js';
+import { Writing } from '../../app/static/frame/keys.js';
 
 /** A field below the page, as far as events go. */
 class Field extends EventTarget {

@@ -1,7 +1,7 @@
 // The message of the server.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { arrayOf, decode, given } from '../../app/static/shell/message.js';
+import { arrayOf, decode, given } from '../../app/static/wire/message.js';
 
 /** Pack a message as the server does: length, header, float32 arrays or whole numbers of two bytes. */
 function packed(header, arrays) {

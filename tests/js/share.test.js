@@ -1,7 +1,7 @@
 // What is saved of a solution.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { written } from '../../app/static/shell/share.js';
+import { written } from '../../app/static/frame/share.js';
 
 test('saved values have one form, and stand below the scene that they are of', () => {
   const scene = 'title = "A rod"\n\n[target]\nlength = 0.5';

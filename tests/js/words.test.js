@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { described, numeral, said, text } from '../../app/static/text/catalogue.js';
 import { unbroken } from '../../app/static/text/format.js';
-import { noteOf } from '../../app/static/shell/story.js';
+import { noteOf } from '../../app/static/frame/story.js';
 import { called, LABELS } from '../../app/static/text/words.js';
 
 test('a method with its resolution', () => {

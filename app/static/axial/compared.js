@@ -4,7 +4,7 @@ import { averaged, pair } from '../charts/scale.js';
 import { energies, figure } from '../compare/figure.js';
 import { spansOf } from '../compare/histories.js';
 import { listed, verdict } from '../compare/resolution.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { text } from '../text/catalogue.js';
 import { engineering, percent, signed } from '../text/format.js';
 
@@ -148,7 +148,6 @@ export const compared = {
   contacts: (/** @type {AxialFrame} */ { exact }) => exact.contacts,
   law: (/** @type {AxialFrame} */ frame) => frame,
   peakForce: (/** @type {AxialFrame} */ { exact }) => exact.peakForce,
-  restitutionSolves: (/** @type {AxialFrame} */ { damps, exact }) => !damps && !exact?.sudden,
   resolution: ofResolution,
   verdicts: { scene: ofSupport },
 };

@@ -3,7 +3,7 @@
 import { letters, scale as zoom } from '../charts/canvas.js';
 import { between } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 

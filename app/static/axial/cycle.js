@@ -2,8 +2,8 @@
 // Tabor's tests the mean pressure and the radius of the circle, too.
 import { Chart } from '../charts/chart.js';
 import { between, pair } from '../charts/scale.js';
-import { make, segments } from '../shell/dom.js';
-import { given } from '../shell/message.js';
+import { make, segments } from '../browser/dom.js';
+import { given } from '../wire/message.js';
 import { family, text } from '../text/catalogue.js';
 import { figures, scaled } from '../text/format.js';
 import { touchAt } from './touch.js';

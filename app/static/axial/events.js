@@ -4,7 +4,7 @@ import { engineering, figures, pretty, signed } from '../text/format.js';
 import { drawnRigid, toldOf } from './drawn.js';
 
 /** @import { AxialFigures, AxialFrame, Contact } from '../messages.js' */
-/** @import { Event } from '../shell/story.js' */
+/** @import { Event } from '../frame/story.js' */
 
 const JUMPS = 6; // of the force in one contact that are listed; later ones are small
 const GAPS = 4; // times that they close, that are listed

@@ -1,7 +1,7 @@
 // Fields of an impact along an axis, rebuilt from the message. Time in round trips T, places in m from the struck end,
 // displacement in v T, velocity in v, stress in v sqrt(E rho); compression positive.
 import { between, evenly } from '../charts/scale.js';
-import { given, arrayOf } from '../shell/message.js';
+import { given, arrayOf } from '../wire/message.js';
 import { Mirrored, Wave } from './wave.js';
 
 /** @import { Range, Samples } from '../charts/scale.js' */

@@ -1,6 +1,6 @@
 // The field of one rod by its modes.
 import { attachedModes } from './attached_modes.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { evenly } from '../charts/scale.js';
 import { Field } from './fields.js';
 

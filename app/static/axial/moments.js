@@ -1,6 +1,6 @@
 // Bending moments of a bar on a pivot or an axis, over time: there, where none may be, half way, and at the contact.
 import { Chart } from '../charts/chart.js';
-import { TRIPS } from '../shell/times.js';
+import { TRIPS } from '../clock/times.js';
 import { text } from '../text/catalogue.js';
 import { called } from '../text/words.js';
 

@@ -1,6 +1,6 @@
 // The field of rods by methods whose fields cannot be rebuilt in the browser.
 import { evenly } from '../charts/scale.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { Field } from './fields.js';
 
 /** @import { Range } from '../charts/scale.js' */

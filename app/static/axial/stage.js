@@ -3,7 +3,7 @@ import { cleared, letters, scale as zoom, sizeOf } from '../charts/canvas.js';
 import { hatch, isHatched, stretchesOf } from '../charts/hatch.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { RigidField } from './fields.js';
@@ -15,7 +15,7 @@ import { reachOf } from './reach.js';
 import { drawnLength, pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
 /** @import { AxialFrame, RodRecord } from '../messages.js' */
-/** @import { Striker } from '../shell/striker.js' */
+/** @import { Striker } from '../frame/striker.js' */
 /** @import { Hung } from './cradle.js' */
 /** @import { Field, What } from './fields.js' */
 

@@ -1,7 +1,7 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
-import { headOf, make, rowOf } from '../shell/dom.js';
-import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../shell/story.js';
-import { times, unitOfTime } from '../shell/times.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
+import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../frame/story.js';
+import { times, unitOfTime } from '../clock/times.js';
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
 import { called, shortly } from '../text/words.js';

@@ -1,6 +1,6 @@
 // What the opening draws of bodies without rods below their stage: force or impulse, indentation, movement, and of a
 // pendulum that bends its bar, laid flat.
-import { times } from '../shell/times.js';
+import { times } from '../clock/times.js';
 import { text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 import { byOf, called } from '../text/words.js';

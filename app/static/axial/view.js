@@ -4,9 +4,9 @@ import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';
 import { Supports } from '../charts/supports.js';
 import { instantIn } from '../compare/beside.js';
-import { make, segments } from '../shell/dom.js';
-import { Stack } from '../shell/stack.js';
-import { TRIPS, times } from '../shell/times.js';
+import { make, segments } from '../browser/dom.js';
+import { Stack } from '../frame/stack.js';
+import { TRIPS, times } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 import { byOf, called } from '../text/words.js';
@@ -310,7 +310,7 @@ export class AxialView {
   /**
    * A measured force has come, or gone.
    * @param {AxialFrame} frame
-   * @param {import('../shell/view.js').Measured | null} record
+   * @param {import('../frame/view.js').Measured | null} record
    */
   overlay(frame, record) {
     const { forceUnit, trip } = frame;

@@ -3,7 +3,7 @@ import { averaged, between, pair } from '../charts/scale.js';
 import { energies, figure } from '../compare/figure.js';
 import { spansOf } from '../compare/histories.js';
 import { ENOUGH, listed, verdict } from '../compare/resolution.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { text } from '../text/catalogue.js';
 import { engineering, percent } from '../text/format.js';
 
@@ -119,7 +119,6 @@ export const compared = {
   contacts: (/** @type {BendingFrame} */ { contacts }) => contacts,
   law: (/** @type {BendingFrame} */ { law }) => law,
   peakForce: (/** @type {BendingFrame} */ { main }) => main.peakForce,
-  restitutionSolves: () => false,
   resolution: ofResolution,
   verdicts: {},
 };

@@ -3,7 +3,7 @@ import { family, text } from '../text/catalogue.js';
 import { duration, figures, length, percent, speed } from '../text/format.js';
 
 /** @import { BendingFrame, Support } from '../messages.js' */
-/** @import { Event } from '../shell/story.js' */
+/** @import { Event } from '../frame/story.js' */
 
 const LISTED = 4; // contacts, one by one
 /** @type {Record<Support, string[]>} */

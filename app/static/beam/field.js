@@ -1,7 +1,7 @@
 // Fields of a struck beam, rebuilt from the message, in SI units.
 // Deflection is positive the way the impactor goes; M = EI y'', V = dM/dx.
 import { evenly } from '../charts/scale.js';
-import { arrayOf, given } from '../shell/message.js';
+import { arrayOf, given } from '../wire/message.js';
 
 /** @import { Range, Samples } from '../charts/scale.js' */
 /** @import { BendingFrame } from '../messages.js' */

@@ -1,5 +1,5 @@
 // What the opening draws of a beam below its stage: place across, time down.
-import { unitOfTime } from '../shell/times.js';
+import { unitOfTime } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
 import { byOf, called } from '../text/words.js';
 

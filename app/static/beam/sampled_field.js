@@ -1,6 +1,6 @@
 // The field of a beam by methods whose fields cannot be rebuilt in the browser.
 import { indexAt } from '../charts/scale.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { BeamField } from './field.js';
 
 /** @import { BendingFrame } from '../messages.js' */

@@ -2,7 +2,7 @@
 import { cleared, letters, scale as larger } from '../charts/canvas.js';
 import { between, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { diagrams } from './diagram.js';
@@ -13,7 +13,7 @@ import { legend } from './legend.js';
 import { drawSupports } from './supports.js';
 
 /** @import { BendingFrame } from '../messages.js' */
-/** @import { Striker } from '../shell/striker.js' */
+/** @import { Striker } from '../frame/striker.js' */
 /** @import { BeamField, Out, What } from './field.js' */
 
 const SMALL = letters(13);

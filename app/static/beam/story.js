@@ -1,8 +1,8 @@
 // What happens to a struck beam, in words and figures, tied to the moment shown.
 import { between } from '../charts/scale.js';
-import { headOf, make, rowOf } from '../shell/dom.js';
-import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../shell/story.js';
-import { unitOfTime } from '../shell/times.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
+import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../frame/story.js';
+import { unitOfTime } from '../clock/times.js';
 import { duration, figures, prefixed, signed, speed } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
 import { called, METHODS } from '../text/words.js';

@@ -5,10 +5,10 @@ import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';
 import { Supports } from '../charts/supports.js';
 import { instantIn } from '../compare/beside.js';
-import { make, segments } from '../shell/dom.js';
-import { InView } from '../shell/in_view.js';
-import { Stack } from '../shell/stack.js';
-import { SECONDS } from '../shell/times.js';
+import { make, segments } from '../browser/dom.js';
+import { InView } from '../frame/in_view.js';
+import { Stack } from '../frame/stack.js';
+import { SECONDS } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 import { called } from '../text/words.js';
@@ -26,7 +26,7 @@ import { supportsOf } from './supports.js';
 /** @import { Second } from '../compare/beside.js' */
 /** @import { BendingFrame } from '../messages.js' */
 /** @import { Band } from './charts.js' */
-/** @import { Run } from '../shell/player.js' */
+/** @import { Run } from '../clock/player.js' */
 /** @import { BeamField, What } from './field.js' */
 
 /**

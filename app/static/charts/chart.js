@@ -1,7 +1,7 @@
 // A chart that is said, not programmed: axes, series and what else is to be seen; it finds its range and unit, writes
 // its legend, and can be zoomed, read, saved and listened to.
-import { make } from '../shell/dom.js';
-import { shownIn, TRIPS, times } from '../shell/times.js';
+import { make } from '../browser/dom.js';
+import { shownIn, TRIPS, times } from '../clock/times.js';
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { Axis } from './axis.js';

@@ -1,8 +1,8 @@
 // A figure whose looks Python has drawn (app/views/figures.py): fetched when it is first shown, filled from answers,
 // and zoomed, read and saved by Bokeh in the browser. The server hears of none of it.
-import { bokeh } from '../shell/bokeh.js';
-import { download, make } from '../shell/dom.js';
-import { served } from '../shell/home.js';
+import { bokeh } from '../browser/bokeh.js';
+import { download, make } from '../browser/dom.js';
+import { served } from '../browser/home.js';
 import { language, text } from '../text/catalogue.js';
 import { dress, NARROW } from './dress.js';
 

@@ -1,7 +1,7 @@
 // What a gauge on a body reads: a quantity at one place over time, and over all places at the instant of the clock, in
 // which that place can be dragged; of what is kept too.
-import { NumberField } from '../shell/number_field.js';
-import { make, segments } from '../shell/dom.js';
+import { NumberField } from '../form/number_field.js';
+import { make, segments } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
 import { sizeOf } from './canvas.js';

@@ -1,5 +1,5 @@
 // The numbers of a chart as a table: for those who listen to the page, and for all who ask for it.
-import { headOf, make } from '../shell/dom.js';
+import { headOf, make } from '../browser/dom.js';
 
 /** @typedef {import('./chart.js').Chart} Chart */
 

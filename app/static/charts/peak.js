@@ -1,6 +1,6 @@
 // What an engineer asks first of a contact force, in a line above its curve: the peak, when, and for how long.
-import { make } from '../shell/dom.js';
-import { times } from '../shell/times.js';
+import { make } from '../browser/dom.js';
+import { times } from '../clock/times.js';
 import { text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 

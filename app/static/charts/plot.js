@@ -1,6 +1,6 @@
 // What all charts share: a head with a title and a legend, and two canvases: what changes with a solve below, what
 // moves with time above.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { signed } from '../text/format.js';
 import { letters, scale, sized, sizeOf, wiped } from './canvas.js';
 import { ticks, within } from './scale.js';

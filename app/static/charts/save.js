@@ -1,5 +1,5 @@
 // A chart as a file: PNG at twice the pixels of the page, or SVG, with its title and its legend.
-import { download, make } from '../shell/dom.js';
+import { download, make } from '../browser/dom.js';
 import { contextOf } from './canvas.js';
 import { keysOf } from './legend.js';
 import { FONT } from './plot.js';

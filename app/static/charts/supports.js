@@ -1,5 +1,5 @@
 // What supports exert on the body that they hold, over time; of what is kept too.
-import { segments } from '../shell/dom.js';
+import { segments } from '../browser/dom.js';
 import { family, text } from '../text/catalogue.js';
 import { sizeOf } from './canvas.js';
 import { Chart } from './chart.js';

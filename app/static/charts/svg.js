@@ -1,5 +1,5 @@
 // What draws like a canvas and writes SVG: that of Bokeh, which is on the page, with what our pictures use besides.
-import { bokeh } from '../shell/bokeh.js';
+import { bokeh } from '../browser/bokeh.js';
 
 const TURN = 2 * Math.PI;
 

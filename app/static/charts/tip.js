@@ -1,5 +1,5 @@
 // What a chart says of the place under a pointer, or of one that keys have gone to.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { between } from './scale.js';
 import { STYLES } from './styles.js';
 

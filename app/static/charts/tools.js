@@ -1,6 +1,6 @@
 // The menu of a chart: zoom, numbers, files; and what it says aloud.
-import { make } from '../shell/dom.js';
-import { Menu } from '../shell/menu.js';
+import { make } from '../browser/dom.js';
+import { Menu } from '../browser/menu.js';
 import { text } from '../text/catalogue.js';
 import { savePng, saveSvg } from './save.js';
 

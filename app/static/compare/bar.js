@@ -1,10 +1,12 @@
 // The button that keeps a solution, its menu, and the kept ones in a row below the clock.
 import { KEPT } from '../charts/styles.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { questionsOf } from './questions.js';
-import { LETTERS, MOST } from './run.js';
-import { comparable, differing, lineOf, shortOf } from './settings.js';
+import { LETTERS } from '../frame/kept.js';
+import { MOST } from './run.js';
+import { differing, lineOf, shortOf } from '../form/settings.js';
+import { comparable } from './kinds.js';
 import { signOf } from './summary.js';
 
 /** @import { Frame } from '../messages.js' */

@@ -1,11 +1,11 @@
 // The picture of a kept solution, beside that of the one that is shown, by the same clock.
 import { KEPT } from '../charts/styles.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Frame } from '../messages.js' */
 /** @import { Page } from '../page.js' */
-/** @import { Picture } from '../shell/view.js' */
+/** @import { Picture } from '../frame/view.js' */
 /** @import { Run } from './run.js' */
 /** @import { Scaled } from './scales.js' */
 

@@ -1,18 +1,19 @@
 // Solutions that are kept: up to four, overlaid on every chart, compared with the one that is shown, and one of them
 // beside it in the picture. They are messages that the browser has already; nothing is solved for them.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { Bar, freeLetter } from './bar.js';
 import { Beside } from './beside.js';
 import { layOver } from './overlay.js';
 import { Run } from './run.js';
 import { Scales } from './scales.js';
-import { comparable, differing, lineOf } from './settings.js';
+import { differing, lineOf } from '../form/settings.js';
+import { comparable, compares } from './kinds.js';
 import { Summary } from './summary.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Changes } from '../shell/changes.js' */
-/** @import { Wanted } from '../shell/kept.js' */
+/** @import { Changes } from '../wire/changes.js' */
+/** @import { Wanted } from '../frame/kept.js' */
 /** @import { Chosen, Frame, Question } from '../messages.js' */
 
 const PATIENCE = 30_000; // ms for a solution of a link
@@ -26,8 +27,12 @@ export class Compare {
   /** @type {Question | null} */ coming = null; // of which the second answer is being solved
   /** @type {Map<string, Run>} */ known = new Map(); // that are or were kept, by what an entry of the history says
 
-  /** @param {Page} page */
-  constructor(page) {
+  /**
+   * @param {Page} page
+   * @param {Parameters<typeof compares>[0]} kinds
+   */
+  constructor(page, kinds) {
+    compares(kinds);
     this.page = page;
     this.scales = new Scales();
     this.bar = new Bar(this);

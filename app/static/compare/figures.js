@@ -2,7 +2,7 @@
 import { engineering, figures as digits, percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { roomOf } from './kinds.js';
-import { kindsOf } from './settings.js';
+import { kindsOf } from '../form/settings.js';
 
 /** @import { Frame } from '../messages.js' */
 /** @import { Figure, Size } from './figure.js' */

@@ -1,12 +1,13 @@
 // Kept solutions on the charts of the one that is shown, each in its colour; times and units are those of the charts.
 import { KEPT } from '../charts/styles.js';
 import { called } from '../text/words.js';
-import { comparable, kindsOf } from './settings.js';
+import { kindsOf } from '../form/settings.js';
+import { comparable } from './kinds.js';
 
 /** @import { Series, Stretches } from '../charts/chart.js' */
 /** @import { Source } from '../charts/gauge.js' */
 /** @import { Samples } from '../charts/scale.js' */
-/** @import { View } from '../shell/view.js' */
+/** @import { View } from '../frame/view.js' */
 /** @import { AxialFrame, BendingFrame, Frame } from '../messages.js' */
 /** @import { Run } from './run.js' */
 

@@ -1,14 +1,12 @@
 // A solution that is kept: the message as it came, at most 100 kB, and what is taken from it when it is asked for.
-import { decode } from '../shell/message.js';
+import { decode } from '../wire/message.js';
 import { roomOf } from './kinds.js';
 
 /** @import { Frame } from '../messages.js' */
 /** @import { Histories } from './histories.js' */
+/** @import { Letter } from '../frame/kept.js' */
 
 export const MOST = 4;
-export const LETTERS = /** @type {const} */ (['A', 'B', 'C', 'D']);
-
-/** @typedef {(typeof LETTERS)[number]} Letter */
 
 export class Run {
   /** @type {Record<string, Histories | null>} */ #histories = {};

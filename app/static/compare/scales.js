@@ -1,7 +1,7 @@
 // Scales that two pictures share, or that are locked: axes, colours, how much movement is exaggerated.
 
 /** @import { Range } from '../charts/scale.js' */
-/** @import { View } from '../shell/view.js' */
+/** @import { View } from '../frame/view.js' */
 /** @import { Frame } from '../messages.js' */
 
 /** @typedef {Record<string, number>} Ranges  of a picture, SI units; the larger, the more it shows */

@@ -1,14 +1,16 @@
 // Kept solutions beside the one that is shown, in the story and among the numbers.
 import { KEPT } from '../charts/styles.js';
-import { headOf, make, rowOf } from '../shell/dom.js';
-import { heading, scrolled } from '../shell/story.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
+import { heading, scrolled } from '../frame/story.js';
 import { text } from '../text/catalogue.js';
 import { bound, comparedOf, difference, leastSaid, sentences, sideBySide, written } from './figures.js';
-import { comparable, differing, lineOf } from './settings.js';
+import { differing, lineOf } from '../form/settings.js';
+import { comparable } from './kinds.js';
 import { verdictOf } from './verdict.js';
 
 /** @import { Frame } from '../messages.js' */
-/** @import { Letter, Run } from './run.js' */
+/** @import { Letter } from '../frame/kept.js' */
+/** @import { Run } from './run.js' */
 
 /**
  * The sign of a kept solution, in its colour.

@@ -3,7 +3,7 @@ import { percent, pretty, signed } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { comparedOf, figuresOf } from './figures.js';
 import { roomOf } from './kinds.js';
-import { kindsOf } from './settings.js';
+import { kindsOf } from '../form/settings.js';
 import { ofSpeed } from './speed.js';
 
 /** @import { Frame } from '../messages.js' */

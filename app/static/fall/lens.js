@@ -2,8 +2,8 @@
 import { cleared, letters, scale as zoom } from '../charts/canvas.js';
 import { ticks } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
-import { make } from '../shell/dom.js';
-import { unitOfTime } from '../shell/times.js';
+import { make } from '../browser/dom.js';
+import { unitOfTime } from '../clock/times.js';
 import { text } from '../text/catalogue.js';
 import { duration, engineering, figures, localised, scaled } from '../text/format.js';
 

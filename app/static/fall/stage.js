@@ -3,7 +3,7 @@ import { cleared, letters, scale as zoom } from '../charts/canvas.js';
 import { between, ticks } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { Words } from '../opening/words.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
 

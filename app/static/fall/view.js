@@ -1,6 +1,6 @@
 // A body that is dropped and bounces, as the opening shows it: its height over time. The laboratory shows one impact.
-import { make } from '../shell/dom.js';
-import { Events } from '../shell/story.js';
+import { make } from '../browser/dom.js';
+import { Events } from '../frame/story.js';
 import { text } from '../text/catalogue.js';
 import { figures, length, percent, speed } from '../text/format.js';
 import { impactsOf, Lens } from './lens.js';
@@ -8,7 +8,7 @@ import { FallStage } from './stage.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { AxialFrame, Frame } from '../messages.js' */
-/** @import { Event } from '../shell/story.js' */
+/** @import { Event } from '../frame/story.js' */
 
 const NAMED = 4; // bounces that have a name
 

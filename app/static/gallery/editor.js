@@ -1,7 +1,7 @@
 // A scene of the visitor's own as text: written, run, and kept once the server has solved it.
 import { partsOf } from '../panels/code.js';
-import { make } from '../shell/dom.js';
-import { keepOwn, LONGEST, MOST_BYTES, nameOf, textOf } from '../shell/own.js';
+import { make } from '../browser/dom.js';
+import { keepOwn, LONGEST, MOST_BYTES, nameOf, textOf } from '../wire/own.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */

@@ -1,8 +1,8 @@
 // All scenes: some as moving pictures with a question each, all by chapter, those of the visitor's own; and a search.
 import { ownQuestion } from '../opening/question.js';
-import { make } from '../shell/dom.js';
-import { carried } from '../shell/home.js';
-import { forget, ownScenes } from '../shell/own.js';
+import { make } from '../browser/dom.js';
+import { carried } from '../browser/home.js';
+import { forget, ownScenes } from '../wire/own.js';
 import { family, said, text } from '../text/catalogue.js';
 import { Editor } from './editor.js';
 import { Picture, Running } from './picture.js';

@@ -1,7 +1,7 @@
 // A small moving picture of a scene, as the server keeps it: whole numbers, of each frame but the first their change.
 import { cleared } from '../charts/canvas.js';
 import { css } from '../charts/styles.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 
 /**
  * @typedef {object} Part

@@ -1,5 +1,5 @@
 // Which scenes the typed words find: each word somewhere in what is known of it, a number such as 7.6 as it stands.
-import { entryOf } from '../shell/scenes.js';
+import { entryOf } from '../form/scenes.js';
 import { family, named, said } from '../text/catalogue.js';
 
 /** @import { Note } from '../text/catalogue.js' */

@@ -1,6 +1,6 @@
 // How a link of a mechanism bends: amounts of its shapes over time, and from them deflection, moment and shear force.
 import { indexAt } from '../charts/scale.js';
-import { arrayOf, given } from '../shell/message.js';
+import { arrayOf, given } from '../wire/message.js';
 
 /** @import { Out, What } from '../beam/field.js' */
 /** @import { MechanismFrame } from '../messages.js' */

@@ -1,7 +1,7 @@
 // Where the energy of a mechanism that moves on is, part by part over time.
 import { Chart } from '../charts/chart.js';
-import { given } from '../shell/message.js';
-import { SECONDS } from '../shell/times.js';
+import { given } from '../wire/message.js';
+import { SECONDS } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
 
 /** @import { Axis } from '../charts/axis.js' */

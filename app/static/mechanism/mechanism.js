@@ -3,7 +3,7 @@ import { letters } from '../charts/canvas.js';
 import { boxOf, indexAt, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { arrow } from '../beam/flown.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { bendingOf } from './bending.js';
 import { drawJoint } from './joints.js';
 import { gone, Labels } from './labels.js';
@@ -11,7 +11,7 @@ import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
 /** @import { MechanismFrame, MechanismRecord } from '../messages.js' */
-/** @import { Drawn } from '../shell/striker.js' */
+/** @import { Drawn } from '../frame/striker.js' */
 
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {[x: number, y: number]} Point */

@@ -1,7 +1,7 @@
 // A mechanism that moves on: links on their ways, bent larger than they are, and the mass where it flies.
 import { between, boxOf, roundBelow } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { drawGhosts, ghostsOf } from './ghosts.js';

@@ -1,14 +1,14 @@
 // What happens as a mechanism moves on: its impacts, one after the other, and what each gives to its joints.
-import { headOf, make, rowOf } from '../shell/dom.js';
-import { given } from '../shell/message.js';
-import { showEnergy } from '../shell/story.js';
-import { unitOfTime } from '../shell/times.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
+import { given } from '../wire/message.js';
+import { showEnergy } from '../frame/story.js';
+import { unitOfTime } from '../clock/times.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, speed } from '../text/format.js';
 import { jointOf } from '../text/words.js';
 
 /** @import { MechanismFrame } from '../messages.js' */
-/** @import { Event } from '../shell/story.js' */
+/** @import { Event } from '../frame/story.js' */
 
 const SLOW = 0.1; // s of a solve, from which it is said why
 /** @type {Record<string, string>} */

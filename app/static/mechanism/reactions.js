@@ -1,7 +1,7 @@
 // What the joints of a mechanism bear over time: forces or moments, with those of rigid links.
 import { Chart } from '../charts/chart.js';
-import { segments } from '../shell/dom.js';
-import { SECONDS } from '../shell/times.js';
+import { segments } from '../browser/dom.js';
+import { SECONDS } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
 import { jointOf } from '../text/words.js';
 

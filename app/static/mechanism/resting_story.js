@@ -1,12 +1,12 @@
 // What happens in an impact on a mechanism, one event after the other, and what its joints have borne.
-import { headOf, make, rowOf } from '../shell/dom.js';
-import { heading, scrolled } from '../shell/story.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
+import { heading, scrolled } from '../frame/story.js';
 import { family, text } from '../text/catalogue.js';
 import { duration, engineering, figures, speed } from '../text/format.js';
 import { jointOf } from '../text/words.js';
 
 /** @import { MechanismFrame } from '../messages.js' */
-/** @import { Event } from '../shell/story.js' */
+/** @import { Event } from '../frame/story.js' */
 
 const LISTED = 4; // contacts that are described one by one
 

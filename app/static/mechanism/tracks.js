@@ -1,9 +1,9 @@
 // What the opening draws of a mechanism below its stage: impulses or force, the gap, the bending of a link, a pin.
 import { boxOf } from '../charts/scale.js';
-import { given } from '../shell/message.js';
+import { given } from '../wire/message.js';
 import { byOf, called, jointOf } from '../text/words.js';
 import { text } from '../text/catalogue.js';
-import { unitOfTime } from '../shell/times.js';
+import { unitOfTime } from '../clock/times.js';
 import { valuesOf } from './reactions.js';
 
 /** @import { BeamField } from '../beam/field.js' */

@@ -1,10 +1,10 @@
 // What may be chosen where there is no server, and why something else may not.
-import { isBodyKey } from '../shell/body_values.js';
-import { carried } from '../shell/home.js';
+import { isBodyKey } from '../wire/body_values.js';
+import { carried } from '../browser/home.js';
 import { family } from '../text/catalogue.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
-/** @import { Spec } from '../shell/model.js' */
+/** @import { Spec } from '../wire/model.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 const LONGEST = 80; // letters of a value in an address

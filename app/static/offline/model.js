@@ -1,13 +1,13 @@
 // Stands for the component of Panel where there is no server: what is chosen is answered here, by the library's
 // kernels, of scenes that came with the page.
-import { OFFERED } from '../shell/layout.js';
-import { decode } from '../shell/message.js';
+import { OFFERED } from '../frame/layout.js';
+import { decode } from '../wire/message.js';
 import { encode } from './encode.js';
 import { choicesIn, fixed, refusal, refusalOf } from './choices.js';
 
 /** @import { Chosen, Frame, Try } from '../messages.js' */
-/** @import { Model, Spec } from '../shell/model.js' */
-/** @import { Answers } from '../shell/own_answers.js' */
+/** @import { Model, Spec } from '../wire/model.js' */
+/** @import { Answers } from '../wire/own_answers.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 export class Offline {

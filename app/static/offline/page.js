@@ -1,11 +1,11 @@
 // The page without a server: its kernels, and what stands for the component of Panel. An error says by its code why
 // there is no page.
 import { Page } from '../page.js';
-import { carried } from '../shell/home.js';
+import { carried } from '../browser/home.js';
 import { answersOf } from '../wasm/answers.js';
 import { Offline } from './model.js';
 
-/** @import { Carried } from '../shell/home.js' */
+/** @import { Carried } from '../browser/home.js' */
 
 const SECTION = 'fingerprint'; // in which a module names its sources: as in app/wasm/module.py
 

@@ -1,7 +1,7 @@
 // Unpack what came with the page, where there is no server, and begin; or say why it cannot be. It is no module, and
 // nothing is fetched: browsers allow neither to pages from the disk.
 
-/** @import { Carried } from '../shell/home.js' */
+/** @import { Carried } from '../browser/home.js' */
 /** @typedef {[header: number, arrays: number[]]} Pack  of a message: bytes, and which arrays follow */
 
 /**

@@ -1,8 +1,8 @@
 // Names of events beside the rows, each at its time; where not all have room, those about the instant that is shown.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 
-/** @import { Event, Events } from '../shell/story.js' */
+/** @import { Event, Events } from '../frame/story.js' */
 /** @import { Section } from './section.js' */
 
 const APART = 24; // pixels between two names, at least

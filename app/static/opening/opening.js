@@ -1,10 +1,10 @@
 // The opening view: one large picture, one question, a few sliders. All else is in a dock that slides in beside the
 // picture, one click away; the laboratory has it all at once.
-import { queryOf } from '../shell/address.js';
-import { alone, carried } from '../shell/home.js';
-import { make } from '../shell/dom.js';
-import { OFFERED, TITLES } from '../shell/layout.js';
-import { keep, kept } from '../shell/store.js';
+import { queryOf } from '../frame/address.js';
+import { alone, carried } from '../browser/home.js';
+import { make } from '../browser/dom.js';
+import { OFFERED, TITLES } from '../frame/layout.js';
+import { keep, kept } from '../browser/store.js';
 import { family, text } from '../text/catalogue.js';
 import { Happens } from './happens.js';
 import { questionOf } from './question.js';
@@ -165,7 +165,7 @@ export class Opening {
   }
   /**
    * History goes to an entry: what is seen is as it was.
-   * @param {import('../shell/history.js').Entry} entry
+   * @param {import('../frame/history.js').Entry} entry
    */
   come({ chosen, lent = false, plan = this.plan, tab }) {
     this.coming = String(chosen.scene);

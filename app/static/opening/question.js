@@ -1,5 +1,5 @@
 // The question that a scene asks: its own as long as nothing of it is changed, else that of its kind.
-import { changesOf } from '../compare/settings.js';
+import { changesOf } from '../form/settings.js';
 import { family } from '../text/catalogue.js';
 
 /** @import { Frame } from '../messages.js' */

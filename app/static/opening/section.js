@@ -2,7 +2,7 @@
 import { cleared, letters, scale as zoom } from '../charts/canvas.js';
 import { between, ticks } from '../charts/scale.js';
 import { COLORS, css, STYLES } from '../charts/styles.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
 import { feet, striker, struck, traces } from './beside.js';

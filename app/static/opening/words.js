@@ -1,7 +1,7 @@
 // Words on a picture, none of which lies on another: those that are said first stand.
 import { contextOf, letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 
 /** @typedef {{ words: string, x: number, y: number, color: string, font: string, align: CanvasTextAlign }} Word */
 

@@ -1,7 +1,7 @@
 // A dropped body: its height over time, bounce after bounce, what each gives back, and when it rests.
 import { Chart } from '../charts/chart.js';
-import { headOf, make, rowOf } from '../shell/dom.js';
-import { SECONDS } from '../shell/times.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
+import { SECONDS } from '../clock/times.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, length } from '../text/format.js';
 import { Panel } from './panel.js';

@@ -1,6 +1,6 @@
 // The impact that is shown, to take along: its scene file, and the command and the Python lines that solve it again.
-import { download, make } from '../shell/dom.js';
-import { fileOf } from '../shell/own.js';
+import { download, make } from '../browser/dom.js';
+import { fileOf } from '../wire/own.js';
 import { text } from '../text/catalogue.js';
 import { Panel } from './panel.js';
 

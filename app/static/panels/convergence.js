@@ -1,7 +1,7 @@
 // The same impact at several resolutions: by modes, elements or steps, and by the restitution of balances.
 import { Figure } from '../charts/figure.js';
 import { signOf } from '../charts/styles.js';
-import { headOf, make, rowOf, segments } from '../shell/dom.js';
+import { headOf, make, rowOf, segments } from '../browser/dom.js';
 import { family, named, said, text } from '../text/catalogue.js';
 import { factorOf } from '../text/units.js';
 import { Study, shown } from './trust.js';

@@ -1,7 +1,7 @@
 // Energy over time: the share of every part, with a line that follows the clock.
 import { Figure } from '../charts/figure.js';
-import { make } from '../shell/dom.js';
-import { shownIn } from '../shell/times.js';
+import { make } from '../browser/dom.js';
+import { shownIn } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
 import { figures, percent } from '../text/format.js';
 import { Panel } from './panel.js';

@@ -1,5 +1,5 @@
 // What every analysis has about it: a head with its name, and buttons that widen and close it.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { View } from './panels.js' */

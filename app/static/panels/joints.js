@@ -1,6 +1,6 @@
 // What the joint between two links does to waves that meet it, over their frequency.
 import { Figure } from '../charts/figure.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { family, said, text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { GROUND } from '../text/words.js';

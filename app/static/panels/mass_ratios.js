@@ -1,6 +1,6 @@
 // Contacts, their times and the rebound for all mass ratios, and the scene's place on them.
 import { Figure } from '../charts/figure.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { Panel } from './panel.js';

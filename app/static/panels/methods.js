@@ -1,5 +1,5 @@
 // This impact by every method, in a table.
-import { make, rowOf } from '../shell/dom.js';
+import { make, rowOf } from '../browser/dom.js';
 import { figures } from '../text/format.js';
 import { described, family, leftOut, methodOf, said, text } from '../text/catalogue.js';
 

@@ -1,5 +1,5 @@
 // A mass joins a link of finite elements on a node: what projections make of it, from its modes to those of both.
-import { headOf, make, rowOf, segments } from '../shell/dom.js';
+import { headOf, make, rowOf, segments } from '../browser/dom.js';
 import { brief, figures } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
 import { Panel } from './panel.js';

@@ -1,8 +1,8 @@
 // The natural modes of what is struck: shapes, frequencies and masses, and which of them rings after the impact.
 import { Figure } from '../charts/figure.js';
 import { signOf } from '../charts/styles.js';
-import { headOf, make, rowOf, segments } from '../shell/dom.js';
-import { shownIn } from '../shell/times.js';
+import { headOf, make, rowOf, segments } from '../browser/dom.js';
+import { shownIn } from '../clock/times.js';
 import { family, named, said, text } from '../text/catalogue.js';
 import { engineering, figures } from '../text/format.js';
 import { Panel } from './panel.js';

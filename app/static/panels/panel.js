@@ -1,10 +1,10 @@
 // What the panels beside the solution share: a button, a section, and whether an answer is that to the choices drawn.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { family, said, text } from '../text/catalogue.js';
 
 /** @import { Figure } from '../charts/figure.js' */
 /** @import { Page } from '../page.js' */
-/** @import { Answer } from '../shell/model.js' */
+/** @import { Answer } from '../wire/model.js' */
 
 export const QUANTITIES = family('name.quantity');
 const OF_THE_METHOD = ['method', 'modes', 'elements', 'motion_seconds', 'motion_links'];

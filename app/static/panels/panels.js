@@ -1,10 +1,10 @@
 // All panels that answer questions beside the solution, and the buttons that open them.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { framed } from './frame.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Layout } from '../shell/layout.js' */
+/** @import { Layout } from '../frame/layout.js' */
 /** @import { Frame } from '../messages.js' */
 
 /**

@@ -1,5 +1,5 @@
 // Which model is enough?: the smallest adequate model for a question, and where the impact lies among all others.
-import { headOf, make, rowOf } from '../shell/dom.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
 import { family, leftOut, modelled, named, said, text } from '../text/catalogue.js';
 import { pretty, share } from '../text/format.js';
 import { RegimeMap } from './regime_map.js';

@@ -1,10 +1,10 @@
 // A measured record beside the scene: sent to the server with the choices, drawn as it is moved and scaled.
-import { entriesOf } from '../shell/body_values.js';
+import { entriesOf } from '../wire/body_values.js';
 import { Figure } from '../charts/figure.js';
 import { between } from '../charts/scale.js';
-import { make } from '../shell/dom.js';
-import { served } from '../shell/home.js';
-import { commaOf, numberInput } from '../shell/number_field.js';
+import { make } from '../browser/dom.js';
+import { served } from '../browser/home.js';
+import { commaOf, numberInput } from '../form/number_field.js';
 import { said, text } from '../text/catalogue.js';
 import { figures, localised, signed } from '../text/format.js';
 import { factorOf, typed } from '../text/units.js';

@@ -2,7 +2,7 @@
 import { contextOf, letters, scale } from '../charts/canvas.js';
 import { LogChart } from '../charts/log_chart.js';
 import { within } from '../charts/scale.js';
-import { make, segments } from '../shell/dom.js';
+import { make, segments } from '../browser/dom.js';
 import { family, text } from '../text/catalogue.js';
 import { figures, share } from '../text/format.js';
 

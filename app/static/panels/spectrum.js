@@ -1,7 +1,7 @@
 // How much of each frequency a history holds, beside the natural frequencies of what is struck.
 import { Chart } from '../charts/chart.js';
 import { contentOf, heldUpTo } from '../charts/spectrum.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { family, said, text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 import { Panel } from './panel.js';

@@ -1,7 +1,7 @@
 // Where each integrator keeps the energy, chatters or fails: one small map each, over the step and one thing more.
 import { Figure } from '../charts/figure.js';
 import { within } from '../charts/scale.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { named, said, text } from '../text/catalogue.js';
 import { Panel } from './panel.js';
 import { AXES, COLOURS, KINDS, MARKERS, Small, columnsOf, edges, marksOf, nameOf, spanOf } from './stability_map.js';

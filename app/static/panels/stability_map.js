@@ -1,5 +1,5 @@
 // One map of stability: what each run came to, in colours and in words.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { decade, figures, share } from '../text/format.js';
 import { family, named, said, text } from '../text/catalogue.js';
 

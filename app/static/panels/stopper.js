@@ -1,8 +1,8 @@
 // The button that stops what takes long, and has it worked out again.
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 
-/** @import { Model } from '../shell/model.js' */
+/** @import { Model } from '../wire/model.js' */
 
 const LATE = 500; // ms before it can be stopped: an answer that comes soon needs no button
 

@@ -1,6 +1,6 @@
 // How far turning stretches a rod: along it, and its end by its speed.
 import { Figure } from '../charts/figure.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { said, text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { Panel } from './panel.js';

@@ -1,5 +1,5 @@
 // A tolerance or a computing time instead of a method: what was chosen, why, and how near it really is.
-import { headOf, make, rowOf } from '../shell/dom.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
 import { figures, percentDecade, share } from '../text/format.js';
 import { described, family, said, text } from '../text/catalogue.js';
 import { Panel, QUANTITIES, showMethod, shown } from './panel.js';

@@ -1,7 +1,7 @@
 // Speed against accuracy: wall time and error of every method from coarse to fine; the best of them are joined.
 import { Figure } from '../charts/figure.js';
 import { signOf } from '../charts/styles.js';
-import { headOf, make, rowOf, segments } from '../shell/dom.js';
+import { headOf, make, rowOf, segments } from '../browser/dom.js';
 import { described, family, said, text } from '../text/catalogue.js';
 import { figures, share } from '../text/format.js';
 import { shortly } from '../text/words.js';

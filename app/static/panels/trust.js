@@ -1,7 +1,7 @@
 // How far to trust an impact on a beam: the same impact many times with tiny changes; its band goes behind the curves.
 import { Figure } from '../charts/figure.js';
-import { headOf, make, rowOf } from '../shell/dom.js';
-import { unitOfTime } from '../shell/times.js';
+import { headOf, make, rowOf } from '../browser/dom.js';
+import { unitOfTime } from '../clock/times.js';
 import { family, named, said, text } from '../text/catalogue.js';
 import { duration, engineering, figures, prefixed, scaled } from '../text/format.js';
 

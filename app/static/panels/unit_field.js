@@ -1,6 +1,6 @@
 // Fields for numbers in the unit that a visitor thinks in.
-import { make } from '../shell/dom.js';
-import { NumberField } from '../shell/number_field.js';
+import { make } from '../browser/dom.js';
+import { NumberField } from '../form/number_field.js';
 import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
 import { factorOf } from '../text/units.js';

@@ -42,7 +42,6 @@ export const compared = {
   contacts: () => [],
   law: () => ({ exponent: 1, rigid: false, yields: false }), // none acts
   peakForce: () => null,
-  restitutionSolves: () => false,
   resolution: () => '',
   verdicts: { place: ofPlace },
 };

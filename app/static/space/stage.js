@@ -1,7 +1,7 @@
 // The stage for bodies in space: both before (faint) and after one impulse, projected without perspective on the plane
 // of the message. Lengths are true; time runs from -1 to 1 in units of the message's `duration`, the impact at 0.
 import { cleared, letters, sizeOf } from '../charts/canvas.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
 import { arrow, label, stopAt, unlabelled } from './arrows.js';
@@ -14,7 +14,7 @@ import { summary } from './summary.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
 /** @import { BodyRecord, SpaceFrame, Vector } from '../messages.js' */
-/** @import { Striker } from '../shell/striker.js' */
+/** @import { Striker } from '../frame/striker.js' */
 /** @import { Point } from './arrows.js' */
 /** @import { Pose } from './pose.js' */
 

@@ -1,6 +1,6 @@
 // One impulse between bodies in space: a sentence and the figures.
-import { make, rowOf } from '../shell/dom.js';
-import { Warnings, Events, heading, noteOf, scrolled } from '../shell/story.js';
+import { make, rowOf } from '../browser/dom.js';
+import { Warnings, Events, heading, noteOf, scrolled } from '../frame/story.js';
 import { pretty } from '../text/format.js';
 import { said, text } from '../text/catalogue.js';
 import { coneOf } from './impulse.js';

@@ -6,7 +6,7 @@ import { cross, dot, triple } from './vectors.js';
 
 /** @import { Series } from '../charts/chart.js' */
 /** @import { Numbers, SpaceFrame } from '../messages.js' */
-/** @import { Event } from '../shell/story.js' */
+/** @import { Event } from '../frame/story.js' */
 /** @import { Tracked } from '../opening/section.js' */
 /** @import { Track } from '../opening/tracks.js' */
 

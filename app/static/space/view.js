@@ -1,6 +1,6 @@
 // Everything that is shown of an impulse between bodies in space.
-import { segments } from '../shell/dom.js';
-import { Stack } from '../shell/stack.js';
+import { segments } from '../browser/dom.js';
+import { Stack } from '../frame/stack.js';
 import { family, text } from '../text/catalogue.js';
 import { Course, Hodograph } from './charts.js';
 import { LOOKS } from './hands.js';

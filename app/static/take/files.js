@@ -1,5 +1,5 @@
 // What is seen as a file that the browser saves. All in this folder is fetched when a visitor wants it.
-import { download } from '../shell/dom.js';
+import { download } from '../browser/dom.js';
 import { Clip, kindOf } from './clip.js';
 import { pictureOf, svgOf } from './picture.js';
 

@@ -2,7 +2,7 @@
 import { contextOf, divert, letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { svgContext } from '../charts/svg.js';
-import { make } from '../shell/dom.js';
+import { make } from '../browser/dom.js';
 
 /** @import { Page } from '../page.js' */
 /** @typedef {CanvasRenderingContext2D} Context */

@@ -1,6 +1,5 @@
 // Formulas as scene files write them, `a^2 = alpha R`: Greek letters and raised numbers by their signs; letters that
 // are raised or lowered and have none, K_h, e^(-2 β), a^(3/2), by elements.
-import { make } from '../shell/dom.js';
 import { raised } from './format.js';
 
 /** @type {Record<string, string>} */
@@ -19,7 +18,7 @@ export const withSigns = (words) =>
   words.replace(WORD, (name) => SIGNS[name]).replace(POWER, (_, power) => raised(Number(power)));
 
 const LETTER = String.raw`(?<![\p{L}\p{N}_.])\p{L}{1,2}`;
-const FORMULA = new RegExp(
+export const FORMULA = new RegExp(
   String.raw`(${LETTER}_[\p{L}\p{N}]{1,2}(?![\p{L}\p{N}_])|(?:${LETTER})?\^(?:\([^()]*\)|-?\d+\/\d+|\p{L}))`,
   'u',
 );
@@ -39,26 +38,6 @@ export const partsOf = (words) =>
       const kind = part.includes('^') ? 'sup' : 'sub';
       return { text: base, kind, beside: beside.replace(/^\((.*)\)$/, '$1') };
     });
-
-/**
- * Set the formulas in the texts of an element.
- * @param {HTMLElement} root
- */
-export function typeset(root) {
-  const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
-  /** @type {Text[]} */
-  const texts = [];
-  while (walker.nextNode()) {
-    const node = /** @type {Text} */ (walker.currentNode);
-    if (FORMULA.test(node.data)) texts.push(node);
-  }
-  for (const node of texts)
-    node.replaceWith(
-      ...partsOf(node.data).map(({ text, kind, beside }) =>
-        kind ? make('span', { className: 'formula' }, text, make(kind, { textContent: beside })) : text,
-      ),
-    );
-}
 
 /**
  * The same as plain letters, to be read aloud.

@@ -33,7 +33,7 @@ law = "rigid"
 
 
 def named(text: str | bytes) -> str:
-    """As app/static/shell/own.js does."""
+    """As app/static/wire/own.js does."""
     packer = zlib.compressobj(9, wbits=-zlib.MAX_WBITS)
     packed = packer.compress(text if isinstance(text, bytes) else text.encode()) + packer.flush()
     return "own." + base64.urlsafe_b64encode(packed).decode().rstrip("=")

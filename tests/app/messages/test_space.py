@@ -150,7 +150,7 @@ def test_point_masses_have_no_length():
 STAGE = """<!doctype html><div id="place" style="width:600px;height:400px"></div><script src="texts.js"></script>
 <script type="module">
 import { BodiesStage } from './space/stage.js';
-import { decode } from './shell/message.js';
+import { decode } from './wire/message.js';
 window.stage = new BodiesStage();
 stage.root.style.cssText = 'width:600px;height:400px';
 document.getElementById('place').append(stage.root);

@@ -7,7 +7,7 @@ import pytest
 from app.serving.haste import Haste
 from app.serving.limits import UNANSWERED_BURST
 
-PATIENCE = 2.5  # s, as in app/static/shell/changes.js
+PATIENCE = 2.5  # s, as in app/static/wire/changes.js
 
 
 class Clock:

@@ -42,7 +42,7 @@ def test_no_style_looks_at_what_an_element_contains():
 def test_all_modules_are_one_but_for_those_that_are_fetched_late():
     whole, beside = bundle(STATIC, "page.js"), {entry: bundle(STATIC, entry, beside="page.js") for entry in APART}
     named = {path.relative_to(STATIC).as_posix(): path.read_text("utf-8") for path in STATIC.rglob("*.js")}
-    known = {"shell/modules.js", "shell/start.js"}  # which the document loads
+    known = {"browser/modules.js", "browser/start.js"}  # which the document loads
     known |= {name for name in named if name.startswith("offline/")}  # of a page without a server
     names = {name for name, text in named.items() if "export {};" not in text}  # the others are types alone
     late = {entry: {name for name in names if name.split("/")[0] == entry.split("/")[0]} for entry in APART}

@@ -1,0 +1,73 @@
+// Where the laboratory is at home: it is the page that its server sends, or a component of another page, which keeps
+// address, history and keys for itself.
+
+/** @import { Listed } from '../gallery/gallery.js' */
+/** @import { Spec } from '../wire/model.js' */
+
+/**
+ * @typedef {object} Carried  what came with a page that has no server, see app/serving/folder.py
+ * @property {Spec} spec
+ * @property {Listed} gallery
+ * @property {string} kernels  fingerprint of their sources
+ * @property {string} laboratory  address of one with a server, or nothing
+ * @property {ArrayBuffer[]} messages  one of each scene
+ */
+
+/** Nothing where there is a server. */
+export const carried = /** @type {Carried | null} */ (/** @type {any} */ (globalThis).strikewaveCarried ?? null);
+/** Whether it is the page itself. */
+export const alone = Boolean(globalThis.document?.getElementById('session'));
+
+/**
+ * The address of something else that is served with this script.
+ * @param {string} name
+ */
+export const served = (name) => new URL(`../../../${name}`, import.meta.url);
+
+/**
+ * @template Entry
+ * @typedef {object} Entries  what `window.history` has of these
+ * @property {Entry | null} state
+ * @property {() => void} back
+ * @property {() => void} forward
+ * @property {(entry: Entry, title: string, address: string) => void} pushState
+ * @property {(entry: Entry, title: string, address: string) => void} replaceState
+ */
+
+/**
+ * What stands for the history of the browser in another's page.
+ * @template Entry
+ * @implements {Entries<Entry>}
+ */
+export class Steps {
+  /** @type {Entry[]} */ entries = [];
+  at = 0;
+
+  /** @param {() => void} arrive  after it has gone to another entry */
+  constructor(arrive) {
+    this.arrive = arrive;
+  }
+  get state() {
+    return this.entries[this.at] ?? null;
+  }
+  /** @param {Entry} entry */
+  replaceState(entry) {
+    this.entries[this.at] = entry;
+  }
+  /** @param {Entry} entry */
+  pushState(entry) {
+    this.entries.splice(++this.at, Infinity, entry);
+  }
+  back() {
+    this.#go(-1);
+  }
+  forward() {
+    this.#go(1);
+  }
+  /** @param {number} by */
+  #go(by) {
+    if (!(this.at + by in this.entries)) return;
+    this.at += by;
+    this.arrive();
+  }
+}

@@ -1,0 +1,186 @@
+// Undo and redo: every change of the choices is an entry of the browser's history, a drag is one, and so is whatever is
+// kept or kept no more, and a turn from the picture to the dock or the laboratory. Back undoes, and does not leave the
+// page before all is undone.
+import { make } from '../browser/dom.js';
+import { addressOf, choicesText, queryOf } from './address.js';
+import { alone, Steps } from '../browser/home.js';
+import { Writing } from './keys.js';
+import { text } from '../text/catalogue.js';
+import { keep, kept } from '../browser/store.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Wanted } from './kept.js' */
+/** @import { Chosen } from '../messages.js' */
+
+const PAUSE = 700; // ms without a change, after which the next is a step of its own
+const REST = 250; // ms after which the address follows what is seen
+const TOP = 'history'; // under which the last entry is kept while the page reloads
+
+/**
+ * @typedef {object} Entry
+ * @property {number} strikewave  its number
+ * @property {Chosen} chosen
+ * @property {string} choices  what is chosen, as text
+ * @property {Wanted[]} kept  solutions beside it
+ * @property {import('../opening/opening.js').Plan} plan  of the page
+ * @property {string} [tab]  of its dock
+ * @property {boolean} [lent]  whether that is open because the scene asks for it
+ */
+
+export class History {
+  top = 0; // number of the last entry
+  changed = -Infinity; // when the choices have changed last
+  followed = ''; // choices that were shown last
+  /** @type {Writing | undefined} */ writing; // in a field
+  /** @type {object | null} */ going = null; // what it goes to: what is answered meanwhile is no step
+  /** @type {number | undefined} */ resting;
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.popped = () => this.#arrive();
+    /** @type {import('../browser/home.js').Entries<Entry>} */
+    this.entries = alone ? window.history : new Steps(this.popped);
+    const { entry } = this;
+    if (entry) this.top = Math.max(kept(TOP, 0, true), entry.strikewave); // the page was left, or reloaded
+    const button = (/** @type {string} */ sign, /** @type {string} */ title, /** @type {() => void} */ onclick) =>
+      make('button', {
+        type: 'button',
+        className: 'step-history',
+        textContent: sign,
+        title,
+        ariaLabel: title,
+        onclick,
+      });
+    this.undoing = button('↶', text('page.undo'), () => this.undo());
+    this.redoing = button('↷', text('page.redo'), () => this.redo());
+    this.undoing.setAttribute('aria-keyshortcuts', 'Control+Z');
+    this.redoing.setAttribute('aria-keyshortcuts', 'Control+Shift+Z');
+    if (alone) window.addEventListener('popstate', this.popped);
+  }
+  /**
+   * The fields below this have an undo of their own.
+   * @param {HTMLElement} root
+   */
+  watch(root) {
+    this.writing = new Writing(root);
+  }
+  leave() {
+    window.removeEventListener('popstate', this.popped);
+    clearTimeout(this.resting);
+  }
+  /** @returns {Entry | null} */
+  get entry() {
+    const { state } = this.entries;
+    return state && typeof state.strikewave === 'number' && state.chosen ? state : null;
+  }
+  undo() {
+    this.#settle();
+    if ((this.entry?.strikewave ?? 0) > 0) this.entries.back();
+  }
+  redo() {
+    this.#settle();
+    if ((this.entry?.strikewave ?? 0) < this.top) this.entries.forward();
+  }
+  /** What is still to be written comes before. */
+  #settle() {
+    const { frame, own, telling } = this.page;
+    if (!this.going && (this.resting || telling || own.made.has(frame))) this.write();
+  }
+  /**
+   * Another answer is shown. While choices change again and again, all in one step, the address follows at rest:
+   * browsers take 5 ms to write it.
+   */
+  follow() {
+    if (this.going) return; // that is written on arrival
+    const chosen = JSON.stringify(this.page.frame.chosen);
+    const now = performance.now();
+    const soon = chosen !== this.followed && now - this.changed < PAUSE;
+    const goesOn = soon && this.entry && this.entry.chosen.scene === this.page.frame.chosen.scene;
+    this.followed = chosen;
+    if (!goesOn) {
+      this.write();
+      return;
+    }
+    this.changed = now;
+    this.later();
+  }
+  /** The address says what is shown, as a step of its own where the choices have changed. */
+  write() {
+    clearTimeout(this.resting);
+    this.resting = undefined;
+    const { page, entry } = this;
+    if (!page.frame || page.changes.quiet) return;
+    const choices = choicesText(page);
+    const { wanted } = page.compare;
+    const { chosen } = page.frame;
+    const now = performance.now();
+    const address = addressOf(queryOf(page));
+    const moved = entry && choices !== entry.choices;
+    const { lent, plan } = page.opening;
+    const state = { chosen, choices, kept: wanted, plan, lent, tab: page.layout.tabs.selected };
+    const turned = (entry?.plan ?? plan) !== plan;
+    const keeps = entry && JSON.stringify(wanted) !== JSON.stringify(entry.kept ?? []);
+    const others = turned || keeps || (entry && entry.chosen.scene !== chosen.scene); // each a step, however soon
+    if (!entry || this.going || !(moved || others) || (!others && now - this.changed < PAUSE)) {
+      if (moved) this.changed = now;
+      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, ...state }, address);
+    } else {
+      if (moved) this.changed = now;
+      this.top = entry.strikewave + 1;
+      keep(TOP, this.top, true);
+      this.#put('pushState', { strikewave: this.top, ...state }, address);
+    }
+    this.#enable();
+  }
+  /**
+   * Browsers allow so many entries a minute; what comes too soon is left out.
+   * @param {'pushState' | 'replaceState'} how
+   * @param {Entry} entry
+   * @param {string} address
+   */
+  #put(how, entry, address) {
+    try {
+      this.entries[how](entry, '', address);
+    } catch {
+      this.later();
+    }
+  }
+  /** What is seen has changed, not what is chosen: the address follows in a moment. */
+  later() {
+    clearTimeout(this.resting);
+    this.resting = window.setTimeout(() => this.going || this.write(), REST);
+  }
+  #enable() {
+    const at = this.entry?.strikewave ?? 0;
+    this.undoing.disabled = at === 0;
+    this.redoing.disabled = at >= this.top;
+  }
+  /** The browser has gone to an entry: its choices are chosen again, and what was kept is there again. */
+  #arrive() {
+    const { entry, page } = this;
+    if (!entry || !page.frame) return;
+    this.going = entry;
+    page.opening.come(entry);
+    page.goTo(entry.chosen, async () => {
+      if (this.going === entry) await page.compare.recall(entry.kept ?? []);
+      if (this.going !== entry) return; // on to another
+      this.going = null;
+      this.write();
+    });
+    this.#enable();
+  }
+  /**
+   * What keys do, with Ctrl. Whether they do anything.
+   * @param {KeyboardEvent} event
+   */
+  key(event) {
+    const { key, shiftKey } = event;
+    const name = key.toLowerCase();
+    if (this.writing?.takes(event)) return false;
+    if (name === 'z' && !shiftKey) this.undo();
+    else if ((name === 'z' && shiftKey) || name === 'y') this.redo();
+    else return false;
+    return true;
+  }
+}

@@ -1,0 +1,52 @@
+// What a visitor takes away: the link to what is shown, and its histories.
+import { text } from '../text/catalogue.js';
+import { addressOf, queryOf } from './address.js';
+import { download } from '../browser/dom.js';
+import { fileOf } from '../wire/own.js';
+import { alone } from '../browser/home.js';
+
+/** @import { Page } from '../page.js' */
+
+const DIGITS = 6; // behind the first one, of saved values
+
+/** @param {Page} page */
+function linkOf(page) {
+  const { href, pathname } = window.location;
+  if (!alone) return href;
+  const [bare] = href.split(/[?#]/); // a page from the disk has no origin
+  return `${bare}${addressOf(queryOf(page, true)).replace(pathname, '')}`;
+}
+
+/** @param {Page} page */
+export async function copyLink(page) {
+  const link = linkOf(page);
+  try {
+    await navigator.clipboard.writeText(link);
+    page.complain(text('page.link-copied'));
+  } catch {
+    page.complain(text('page.link', { link }));
+  }
+}
+
+/**
+ * Histories as comma-separated values, below the scene that they are of, as `impact solve` reads it: readers of tables
+ * skip lines that begin with #.
+ * @param {string} scene  in TOML, with table `saved` at the end
+ * @param {string} link  to the same
+ * @param {{ names: string[], values: number[][] }} table
+ */
+export function written(scene, link, { names, values }) {
+  const head = `${scene}\nlink = ${JSON.stringify(link)}`.split('\n').map((line) => `# ${line}`);
+  const rows = values.map((row) => row.map((value) => value.toExponential(DIGITS)).join(','));
+  return [...head, names.join(','), ...rows, ''].join('\n');
+}
+
+/** @param {Page} page */
+export function saveData(page) {
+  const { frame, view } = page;
+  const table = view.rows?.();
+  if (!table) return page.complain(text('page.no-history'));
+  if (page.own.made.has(frame)) return page.complain(text('page.not-yet')); // its head says what the server has solved
+  const name = `strikewave-${fileOf(frame.chosen.scene)}.csv`;
+  return download(new Blob([written(frame.head, linkOf(page), table)], { type: 'text/csv' }), name);
+}

@@ -1,0 +1,140 @@
+// What the stories of all kinds of impacts are made of: events, warnings, where the energy went.
+import { figures, percent, unbroken } from '../text/format.js';
+import { text } from '../text/catalogue.js';
+import { changesOf } from '../form/settings.js';
+import { columnHead, make } from '../browser/dom.js';
+
+/** @import { Energies, Frame } from '../messages.js' */
+
+/** @typedef {[t: number, sentence: string, name?: string]} Event  the name in a few words */
+
+const LEAST_SHARE = 5e-5; // of the energy, that is worth a word
+
+/** @param {string} [textContent] */
+export const heading = (textContent = '') => make('h2', { textContent });
+
+/** @param {HTMLElement} element */
+export const scrolled = (element) => make('div', { className: 'scroll' }, element);
+
+/** Events in the order of time; the latest is marked while the clock runs. */
+export class Events {
+  root = make('ol', { className: 'events' });
+  /** @type {Event[]} */ events = [];
+  /** @type {HTMLElement[]} */ items = [];
+  latest = -1;
+
+  /**
+   * @param {(t: number) => void} go  set the clock
+   * @param {(t: number) => string} written
+   * @param {number} early  how long before an event it is marked
+   */
+  constructor(go, written, early) {
+    this.go = go;
+    this.written = written;
+    this.early = early;
+  }
+  /**
+   * @param {Event[]} events
+   * @param {number} [most]  of many only the first and the last are listed
+   */
+  load(events, most = Infinity) {
+    this.events = events.length > most ? [...events.slice(0, most - 1), events[events.length - 1]] : events;
+    this.latest = -1;
+    this.items = this.events.map(([t, sentence]) => {
+      const time = make('button', { type: 'button', className: 'when', textContent: this.written(t) });
+      time.onclick = () => this.go(t);
+      return make('li', {}, time, make('span', { textContent: sentence }));
+    });
+    this.root.replaceChildren(...this.items);
+  }
+  /** What is said of the instant shown. */
+  get caption() {
+    return this.events[Math.max(this.latest, 0)]?.[1] ?? '';
+  }
+  /** @param {number} t */
+  at(t) {
+    const latest = this.events.findLastIndex(([when]) => when <= t + this.early);
+    if (latest === this.latest) return;
+    this.latest = latest;
+    this.items.forEach((item, k) => item.toggleAttribute('aria-current', k === latest));
+  }
+}
+
+/** Warnings and remarks. */
+export class Warnings {
+  heading = heading(text('story.warnings'));
+  list = make('ul', { className: 'warnings' });
+
+  /** @param {string[]} notes */
+  load(notes) {
+    this.list.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
+    this.list.hidden = this.heading.hidden = !notes.length;
+  }
+}
+
+/**
+ * Shares of the energy as a bar and in words; what is next to nothing is left out.
+ * @param {HTMLElement} root
+ * @param {Energies} energy
+ * @param {[key: string, name: string][]} names
+ * @param {boolean} [joules]  besides shares of the energy at first: where more is fed in
+ */
+export function showEnergy(root, energy, names, joules = false) {
+  const fed = joules ? Math.max(-(energy.drives ?? 0), 0) : 0; // by drives, which take up what is positive
+  const whole = energy.initial + fed;
+  const shown = names.filter(
+    ([key]) => Math.abs(energy[key] ?? 0) >= LEAST_SHARE * whole && !(fed && key === 'drives'),
+  );
+  const shared = shown.every(([key]) => energy[key] > 0); // heights are counted from anywhere
+  const bar = make('div', { className: 'bar' });
+  const parts = shown.map(([key, name]) => {
+    const share = energy[key] / whole;
+    const piece = make('i', { className: key });
+    piece.style.flexGrow = String(Math.max(share, 0));
+    bar.append(piece);
+    const size = `${figures(energy[key])} J`;
+    const both = shared ? `${size} (${percent(share)})` : size;
+    const chip = make('i', { className: `chip ${key}` });
+    return make('span', { className: 'key' }, chip, unbroken(`${name} ${joules ? both : percent(share)}`));
+  });
+  const before = { initial: `${figures(energy.initial)} J`, given: Boolean(fed), fed: `${figures(fed)} J` };
+  const total = joules ? [make('p', { textContent: text('story.energy-before', before) })] : [];
+  root.replaceChildren(...total, bar, make('p', {}, ...parts));
+}
+
+/**
+ * Head of a table of contacts, and the units below it.
+ * @param {string[]} units
+ */
+export function contactHead(units) {
+  const titles = ['', ...['from', 'to', 'impulse', 'peak'].map((name) => text(`story.${name}`))].map(columnHead);
+  const row = make('tr', { className: 'units' }, ...units.map((textContent) => make('td', { textContent })));
+  return make('thead', {}, make('tr', {}, ...titles), row);
+}
+
+/**
+ * A button that looks closer at a contact.
+ * @param {string} textContent
+ * @param {() => void} onclick
+ * @param {string} [kind]
+ */
+export const lookCloser = (textContent, onclick, kind = '') =>
+  make('button', {
+    type: 'button',
+    className: `when ${kind}`.trim(),
+    title: text('story.look-closer'),
+    textContent,
+    onclick,
+  });
+
+/**
+ * What a scene says of itself, in what this impact is another one, and which of its keys have no control here.
+ * @param {Frame} frame
+ */
+export function noteOf(frame) {
+  const { note, unshown } = frame;
+  const what = changesOf(frame);
+  const changed = what && text('story.changed', { what });
+  const keys = unshown.length ? text('story.unshown', { keys: unshown.join(', ') }) : '';
+  return [changed, note, keys].filter(Boolean).join(' ');
+}

@@ -1,0 +1,137 @@
+// Answers that the browser finds by itself while a slider moves, at every picture, by the library's kernels: see
+// app/static/wasm. The server is asked once the hand rests, and its answer, with all that it knows besides, follows.
+import { carried } from '../browser/home.js';
+import { late } from '../browser/late.js';
+
+/** @import { Chosen, Frame } from '../messages.js' */
+/** @import { Page } from '../page.js' */
+
+const REST = 150; // ms without a change, after which the server is asked
+const LONG = 50; // ms for an answer; after two that took longer the server answers alone, for so many times as long:
+const PAUSE = 20;
+
+/**
+ * @typedef {object} Answers  as app/static/wasm/answers.js makes them
+ * @property {(frame: Frame, changed: string[]) => boolean} covers
+ * @property {(frame: Frame, chosen: Chosen) => Frame | null} answer
+ */
+
+export class OwnAnswers {
+  /** @type {Answers | null} */ answers = null; // until they are there, and for good where they cannot be
+  count = 0; // of pictures that were answered so
+  due = 0; // the next picture, by the number of its request
+  /** @type {WeakSet<Frame>} */ made = new WeakSet();
+  /** @type {Frame | null} */ whole = null; // the last answer of the server that is no draft
+  beyond = ''; // choices that cannot be answered here after all
+  slow = 0; // answers in a row that took long
+  resumes = 0; // when it answers again
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+  }
+  /** Fetch what answers, once the page stands. */
+  async prepare() {
+    if (carried) return; // there is no server that another answer is awaited of
+    try {
+      const { ownAnswers } = await late('wasm/answers.js');
+      this.answers = await ownAnswers();
+    } catch {
+      // as where there is no WebAssembly, or a policy forbids it
+    }
+  }
+  /** What is chosen by now, whatever the server knows of it. */
+  get #chosen() {
+    const { latest, sent, waiting } = this.page.changes;
+    const { model } = this.page;
+    const asked = Object.fromEntries(sent.map((name) => [name, model[name]]));
+    return { ...latest.chosen, ...asked, ...waiting };
+  }
+  /**
+   * The choices in which an answer differs from that.
+   * @param {Frame} frame
+   */
+  #changed({ chosen }) {
+    return Object.entries(this.#chosen).flatMap(([name, value]) => (Object.is(chosen[name], value) ? [] : [name]));
+  }
+  /** The answer of the server that one to what is chosen by now is made from: its last, or the last whole one. */
+  get #base() {
+    const { answers, page } = this;
+    const { latest, goal } = page.changes;
+    if (!answers || !latest || goal || performance.now() < this.resumes) return null;
+    if (JSON.stringify(this.#chosen) === this.beyond) return null;
+    const found = [latest, ...(this.whole ? [this.whole] : [])];
+    return found.find((frame) => answers.covers(frame, this.#changed(frame))) ?? null;
+  }
+  /**
+   * A choice has been changed by hand: answer it, if that can be.
+   * @returns {number}  ms for which the server is left alone
+   */
+  take() {
+    const { latest } = this.page.changes;
+    if (latest && !this.#changed(latest).length) this.restore(); // the hand has come back to what is answered
+    if (!this.#base) return 0;
+    this.due ||= requestAnimationFrame(() => this.#draw());
+    return REST;
+  }
+  /**
+   * Whether an answer of the server is of choices that have been changed since, which are answered here.
+   * @param {Frame} frame
+   */
+  ahead(frame) {
+    if (!frame.draft) this.whole = frame;
+    this.beyond = ''; // the server has gone past it
+    const { chosen, kind } = this.page.frame ?? {};
+    if (frame.kind !== kind || frame.chosen.scene !== chosen?.scene) return false; // all is laid out anew for another
+    if (!this.#changed(frame).length || !this.#base) return false;
+    this.due ||= requestAnimationFrame(() => this.#draw());
+    return true;
+  }
+  /** Show the server's last answer in place of one that was found here, and its choices. */
+  restore() {
+    const { changes, controls, frame } = this.page;
+    if (!this.made.has(frame)) return;
+    for (const [name, value] of Object.entries(changes.latest.chosen))
+      if (!Object.is(value, frame.chosen[name])) controls.show(name, value);
+    this.page.take(changes.bytes);
+  }
+  /**
+   * The answer, if there is one; a module that has failed is not asked again.
+   * @param {Frame} base
+   */
+  #found(base) {
+    const begun = performance.now();
+    try {
+      return this.answers?.answer(base, this.#chosen) ?? null;
+    } catch {
+      this.answers = null;
+      return null;
+    } finally {
+      const now = performance.now();
+      this.slow = now - begun > LONG ? this.slow + 1 : 0;
+      if (this.slow > 1) this.resumes = now + PAUSE * (now - begun);
+    }
+  }
+  #draw() {
+    this.due = 0;
+    const { page } = this;
+    const { changes } = page;
+    if (!this.#changed(changes.latest).length) this.restore(); // the hand has come back to what the server has answered
+    const base = this.#base;
+    if (!base || !this.#changed(page.frame).length) return; // the server has answered, or is to
+    const frame = this.#found(base);
+    if (!frame) {
+      this.beyond = JSON.stringify(this.#chosen);
+      changes.flush();
+      return;
+    }
+    this.made.add(frame);
+    this.count++;
+    page.frame = frame;
+    page.compare.lay(frame);
+    page.view.load(frame);
+    page.opening.draw();
+    page.player.load(page.view.clock(frame));
+    page.tell();
+  }
+}
