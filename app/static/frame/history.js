@@ -17,8 +17,7 @@ const REST = 250; // ms after which the address follows what is seen
 const TOP = 'history'; // under which the last entry is kept while the page reloads
 
 /**
- * @typedef {object} Entry
- * @property {number} strikewave  its number
+ * @typedef {object} State  of the page
  * @property {Chosen} chosen
  * @property {string} choices  what is chosen, as text
  * @property {Wanted[]} kept  solutions beside it
@@ -26,11 +25,14 @@ const TOP = 'history'; // under which the last entry is kept while the page relo
  * @property {string} [tab]  of its dock
  * @property {boolean} [lent]  whether that is open because the scene asks for it
  */
+/** @typedef {State & { strikewave: number }} Entry  and its number */
 
 export class History {
   top = 0; // number of the last entry
   changed = -Infinity; // when the choices have changed last
-  followed = ''; // choices that were shown last
+  /** @type {Chosen | null} */ followed = null; // that were shown last
+  moving = ''; // names of the choices that changed last
+  /** @type {[state: State, address: string] | null} */ held = null; // what is still to be written
   /** @type {Writing | undefined} */ writing; // in a field
   /** @type {object | null} */ going = null; // what it goes to: what is answered meanwhile is no step
   /** @type {number | undefined} */ resting;
@@ -93,45 +95,62 @@ export class History {
    */
   follow() {
     if (this.going) return; // that is written on arrival
-    const chosen = JSON.stringify(this.page.frame.chosen);
+    const { chosen } = this.page.frame;
+    const moved = namesOf(this.followed, chosen);
+    const others = Boolean(moved && this.followed && moved !== this.moving);
     const now = performance.now();
-    const soon = chosen !== this.followed && now - this.changed < PAUSE;
-    const goesOn = soon && this.entry && this.entry.chosen.scene === this.page.frame.chosen.scene;
+    const goesOn =
+      moved && !others && now - this.changed < PAUSE && this.entry && this.entry.chosen.scene === chosen.scene;
     this.followed = chosen;
+    this.moving = moved || this.moving;
     if (!goesOn) {
-      this.write();
+      if (others && this.held) this.#replace(...this.held);
+      this.write(others);
       return;
     }
     this.changed = now;
+    this.held = this.#now();
     this.later();
   }
-  /** The address says what is shown, as a step of its own where the choices have changed. */
-  write() {
+  /** @returns {[state: State, address: string]}  of what is shown */
+  #now() {
+    const { compare, frame, layout, opening } = this.page;
+    const { lent, plan } = opening;
+    const shown = { chosen: frame.chosen, choices: choicesText(this.page), kept: compare.wanted };
+    return [{ ...shown, plan, lent, tab: layout.tabs.selected }, addressOf(queryOf(this.page))];
+  }
+  /**
+   * The address says what is shown, as a step of its own where the choices have changed.
+   * @param {boolean} [another]  choice has changed than before: a step, however soon
+   */
+  write(another = false) {
     clearTimeout(this.resting);
     this.resting = undefined;
+    this.held = null;
     const { page, entry } = this;
     if (!page.frame || page.changes.quiet) return;
-    const choices = choicesText(page);
-    const { wanted } = page.compare;
-    const { chosen } = page.frame;
     const now = performance.now();
-    const address = addressOf(queryOf(page));
-    const moved = entry && choices !== entry.choices;
-    const { lent, plan } = page.opening;
-    const state = { chosen, choices, kept: wanted, plan, lent, tab: page.layout.tabs.selected };
-    const turned = (entry?.plan ?? plan) !== plan;
-    const keeps = entry && JSON.stringify(wanted) !== JSON.stringify(entry.kept ?? []);
-    const others = turned || keeps || (entry && entry.chosen.scene !== chosen.scene); // each a step, however soon
-    if (!entry || this.going || !(moved || others) || (!others && now - this.changed < PAUSE)) {
-      if (moved) this.changed = now;
-      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, ...state }, address);
-    } else {
-      if (moved) this.changed = now;
+    const [state, address] = this.#now();
+    const moved = entry && state.choices !== entry.choices;
+    const turned = (entry?.plan ?? state.plan) !== state.plan;
+    const keeps = entry && JSON.stringify(state.kept) !== JSON.stringify(entry.kept ?? []);
+    const others = turned || keeps || (entry && entry.chosen.scene !== state.chosen.scene) || (moved && another);
+    const soon = !others && now - this.changed < PAUSE;
+    if (moved) this.changed = now;
+    if (!entry || this.going || !(moved || others) || soon) this.#replace(state, address);
+    else {
       this.top = entry.strikewave + 1;
       keep(TOP, this.top, true);
       this.#put('pushState', { strikewave: this.top, ...state }, address);
     }
     this.#enable();
+  }
+  /**
+   * @param {State} state
+   * @param {string} address
+   */
+  #replace(state, address) {
+    this.#put('replaceState', { strikewave: this.entry?.strikewave ?? 0, ...state }, address);
   }
   /**
    * Browsers allow so many entries a minute; what comes too soon is left out.
@@ -184,3 +203,13 @@ export class History {
     return true;
   }
 }
+
+/**
+ * Names of the choices that differ.
+ * @param {Chosen | null} before
+ * @param {Chosen} now
+ */
+const namesOf = (before, now) =>
+  Object.keys(now)
+    .filter((name) => !Object.is(before?.[name], now[name]))
+    .join();

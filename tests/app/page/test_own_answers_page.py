@@ -351,8 +351,8 @@ def test_undo_goes_back_by_one_as_soon_as_the_server_has_answered(open_page):
 def test_undo_twice_at_once_goes_back_by_two(open_page):
     page = open_page("?scene=four-bar")
     places = [page.evaluate("() => location.search")]
-    for value in (0.9, 0.7):
-        page.answered(lambda value=value: page.evaluate(CHOOSE, ["restitution", value]))
+    for value in (1.5, 2.0):
+        page.answered(lambda value=value: page.evaluate(CHOOSE, ["speed", value]))
         places.append(page.evaluate("() => location.search"))
         page.tab.wait_for_timeout(1200)
     page.evaluate("() => { const { history } = strikewave.page; history.undo(); history.undo(); }")
@@ -360,7 +360,18 @@ def test_undo_twice_at_once_goes_back_by_two(open_page):
     for place in places[1:]:
         page.evaluate("() => strikewave.page.history.redo()")
         page.wait(ARRIVED, place)
-    assert page.evaluate("() => strikewave.page.frame.chosen.restitution") == 0.7
+    assert places == ["?scene=four-bar", "?scene=four-bar&speed=1.5", "?scene=four-bar&speed=2"]
+
+
+def test_two_controls_moved_at_once_are_two_steps(open_page):
+    page = open_page("?scene=four-bar")
+    page.tab.wait_for_timeout(800)
+    for choice in (["speed", 1.5], ["speed", 2.0], ["mass_ratio", 2.0]):
+        page.answered(lambda choice=choice: page.evaluate(CHOOSE, choice))
+    page.evaluate("() => strikewave.page.history.undo()")
+    page.wait(ARRIVED, "?scene=four-bar&speed=2")
+    page.evaluate("() => strikewave.page.history.undo()")
+    page.wait(ARRIVED, "?scene=four-bar")
 
 
 def test_histories_are_saved_once_the_server_has_solved_them(open_page):
