@@ -118,9 +118,13 @@ const STOPS = [
   [222, 105, 62],
   [138, 24, 30],
 ];
+/** Whether the page is turned over: what is pale is then next to black, and less pale if it is to be seen. */
+export const dark = Boolean(globalThis.matchMedia?.('(prefers-color-scheme: dark)').matches);
+const DEPTH = dark ? 0.7 : 1; // power of a value that has its colour
 export const palette = new Uint8ClampedArray(3 * 257);
 for (let i = 0; i <= 256; i++) {
-  const place = (i / 256) * (STOPS.length - 1);
+  const value = i / 128 - 1;
+  const place = ((1 + Math.sign(value) * Math.abs(value) ** DEPTH) / 2) * (STOPS.length - 1);
   const k = Math.min(Math.floor(place), STOPS.length - 2);
   for (let c = 0; c < 3; c++) palette[3 * i + c] = STOPS[k][c] + (place - k) * (STOPS[k + 1][c] - STOPS[k][c]);
 }
