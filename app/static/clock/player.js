@@ -15,9 +15,9 @@ const MOST_WAITS = 6; // of a tour
 const STEP = 1 / 250; // of what is in view
 const AGAIN = 900; // ms at the end of a loop before it begins again
 const HAND = 700; // ms for which time stands still after a slider has moved: what changes then, the slider did
-const READING = 220; // ms for a word of a caption
+const READING = 140; // ms for a word of a caption
 /** @type {[least: number, most: number]} */
-const CAPTION = [1800, 6500]; // ms for which a caption is waited for
+const CAPTION = [1200, 3500]; // ms for which a caption is waited for
 const EARLY = 0.01; // of the whole
 const LEAST = 1e-9; // of the whole, that is more than rounding
 const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means the event before the last

@@ -23,8 +23,7 @@ const among = (event, tags) =>
  * Whether a key is for the element itself.
  * @param {KeyboardEvent} event
  */
-const taken = (event) =>
-  event.key === ' ' ? TAKE_SPACE.includes(from(event)?.tagName ?? '') : among(event, TAKE_LETTERS);
+const taken = (event) => among(event, event.key === ' ' ? TAKE_SPACE : TAKE_LETTERS);
 
 /** @param {Event} event */
 const fieldOf = (event) => /** @type {HTMLInputElement} */ (event.composedPath()[0]);

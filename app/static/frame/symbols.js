@@ -39,7 +39,7 @@ export class Symbols {
     });
   }
   /**
-   * Beside the controls, which it must not cover, where there is room; else below the symbol, or above.
+   * Beside the controls, which it must not cover, where there is room; else above the symbol, or below.
    * @param {HTMLElement | null} element
    * @param {boolean} [focused]  and not under the pointer, which may want what the tip lies on
    */
@@ -60,14 +60,14 @@ export class Symbols {
     const at = element.getBoundingClientRect();
     const { width, height } = this.tip.getBoundingClientRect();
     const beside = (element.closest('.controls')?.getBoundingClientRect().right ?? Infinity) + GAP;
-    const below = at.bottom + GAP + height < window.innerHeight;
+    const above = at.top - GAP - height > 0; // below a name is what it names
     if (beside + width < window.innerWidth) {
       this.tip.style.left = `${beside}px`;
       this.tip.style.top = `${Math.min(at.top, window.innerHeight - height - 4)}px`;
       return;
     }
     this.tip.style.left = `${Math.max(4, Math.min(at.left, window.innerWidth - width - 4))}px`;
-    this.tip.style.top = `${below ? at.bottom + GAP : at.top - GAP - height}px`;
+    this.tip.style.top = `${above ? at.top - GAP - height : at.bottom + GAP}px`;
   }
   hide() {
     this.shown?.removeAttribute('aria-describedby');
