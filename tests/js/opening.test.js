@@ -160,7 +160,7 @@ test('the clock of an impact without time is its impulse', () => {
   const { series } = slideTracks(COURSE).tracks[1];
   assert.deepEqual(Array.from(series[0].x), [-1, 0, 0.5, 1, 2, 3]);
   assert.deepEqual(Array.from(series[0].y), [5, 5, 0, 0, 0, 0]); // its size: 3 along, 4 aside
-  const spin = slideTracks(COURSE).tracks[3].series; // of the one that turns
+  const spin = slideTracks(COURSE).tracks[2].series; // of the one that turns
   assert.deepEqual([spin.length, Array.from(spin[0].y)], [1, [9, 9, 5, 5, 5, 5]]);
   assert.deepEqual([-0.5, 0, 1.2, 2, 2.5].map(movedAt), [-0.5, 0, 0, 0, 0.5]);
   const events = courseOf(COURSE, 'They touch.');

@@ -132,8 +132,9 @@ function eventsOnOneRod(frame) {
   if (!slow && parts > 1 + 1e-9)
     found.push(happens(1, `axial.event.${fixed && rigid ? 'front' : 'wave'}-back`, { spread: spreadOf(frame) }));
   if (fixed && rigid) {
-    const again = Math.min(Math.ceil(parts - 1e-9) - 1, JUMPS);
-    for (let t = 2; t <= again; t++) found.push(happens(t, 'axial.event.front-again'));
+    const again = Math.ceil(parts - 1e-9) - 1;
+    for (let t = 2; t <= Math.min(again, JUMPS); t++)
+      found.push(happens(t, 'axial.event.front-again', { more: t === JUMPS && again > t ? again - t : 'none' }));
   }
   exact.contacts.forEach(([start, end], k) => {
     if (k > 0) found.push(happens(start, 'axial.event.recontact', { number: k + 1 }));

@@ -125,13 +125,6 @@ function rubbed(frame) {
       series: [curve(slideParting, 'exact')],
     },
     { title: text('opening.track.slides'), unit: 'm/s', range: rangeOf(speed), series: [curve(speed, 'other')] },
-    {
-      ...{ title: text('opening.track.rubs'), unit: 'N s', range: rangeOf(slidePush, most) },
-      series: [
-        { ...curve(slidePush, 'struck'), cursor: text('opening.track.push') },
-        { ...curve(most, 'prediction'), cursor: text('opening.track.cone') },
-      ],
-    },
     ...(spins.length
       ? [
           {
@@ -147,6 +140,13 @@ function rubbed(frame) {
           },
         ]
       : []),
+    {
+      ...{ title: text('opening.track.rubs'), unit: 'N s', range: rangeOf(slidePush, most) },
+      series: [
+        { ...curve(slidePush, 'struck'), cursor: text('opening.track.push') },
+        { ...curve(most, 'prediction'), cursor: text('opening.track.cone') },
+      ],
+    },
   ];
 }
 
