@@ -78,6 +78,7 @@
 /**
  * What is said of it.
  * @typedef {object} Story
+ * @property {HTMLElement} [energy]  where it is in the end
  * @property {HTMLElement} root  in words
  * @property {HTMLElement} numbers
  * @property {Events} events

@@ -6,6 +6,7 @@ import { text } from '../text/catalogue.js';
 /** @import { Section, Woven } from './section.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 
+export const NARROW = 560; // of width [px]
 const MARK = { wide: 5, least: 2 }; // pixels of a contact at the struck place
 const LINE = 17; // pixels
 
@@ -39,7 +40,7 @@ export function striker(c, section, { drawn, duration, ends, prediction = null, 
   if (prediction !== null) path((t) => prediction * t);
   c.restore();
   const gone = prediction === null ? 0 : (base - drawn.left) / (prediction * scale); // when it is at the force
-  if (gone > start && gone < end)
+  if (width >= NARROW && gone > start && gone < end)
     section.words.say(
       text('opening.predicted'),
       base + 6,

@@ -49,9 +49,13 @@ export class Happens {
   latest = -1; // that has happened
   first = 0; // that is seen where not all are
 
-  /** @param {Section} section  beside which they stand */
-  constructor(section) {
+  /**
+   * @param {Section} section  beside which they stand
+   * @param {HTMLElement} below  what stands below them there
+   */
+  constructor(section, below) {
     this.section = section;
+    this.below = below;
   }
   /** @param {Events} story */
   load(story) {
@@ -78,10 +82,18 @@ export class Happens {
     return !shown || page.root.dataset.size !== 'desk';
   }
   get #lines() {
-    return this.#listed ? Infinity : Math.floor((this.section.box.tall - LOWEST) / APART) + 1;
+    return this.#listed ? Infinity : Math.floor((this.#tall - LOWEST) / APART) + 1;
+  }
+  /** Pixels that they have. */
+  get #tall() {
+    const { below, section } = this;
+    return section.box.tall - (below.classList.contains('yields') ? 0 : below.offsetHeight);
   }
   /** Another solve, another size, or another stretch of time. */
   place() {
+    const { below } = this;
+    below.classList.remove('yields');
+    below.classList.toggle('yields', this.#seen.length > this.#lines); // they have its room, too
     this.#follow();
     this.#lay();
   }
@@ -115,7 +127,8 @@ export class Happens {
     this.before.textContent = text('opening.earlier', { count: from });
     this.after.textContent = text('opening.later', { count: seen.length - to });
     if (this.#listed) return;
-    const { tall, top } = section.box;
+    const { top } = section.box;
+    const tall = this.#tall;
     const lines = [...(from > 0 ? [earlier] : []), ...shown.map((k) => names[k]), ...(later.hidden ? [] : [later])];
     const wanted = shown.map((k) => section.y(events[k][0]));
     if (from > 0) wanted.unshift(top);

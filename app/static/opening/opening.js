@@ -76,10 +76,11 @@ export class Opening {
     this.change = make('button', { type: 'button', className: 'what-if', onclick: () => this.#change() });
     this.ask = make('div', { className: 'ask' }, this.question);
     this.side = make('div', { className: 'aside' }, this.ask, this.change);
-    this.happens = new Happens(this.section);
+    this.shares = make('div', { className: 'energy shares', hidden: true });
+    this.happens = new Happens(this.section, this.shares);
     this.closer = make('nav', { className: 'closer', ariaLabel: text('opening.closer') });
     const lenses = Object.values(page.views).flatMap(({ lens }) => lens ?? []);
-    this.parts = [this.side, this.section.root, this.happens.root, ...lenses, this.closer];
+    this.parts = [this.side, this.section.root, this.happens.root, this.shares, ...lenses, this.closer];
     this.button = make('button', { type: 'button', className: 'to-opening', textContent: text('opening.back') });
     this.button.title = text('opening.back-about');
     this.button.onclick = () => this.turn('opening');
@@ -227,10 +228,19 @@ export class Opening {
     const changes = this.#changes;
     this.change.hidden = !changes.length;
     if (changes.length) this.change.textContent = `${WHATS[changes[this.tried % changes.length][0]]} →`;
+    this.#share();
     this.page.controls.lead(this.#leading);
     this.#offer(frame);
     this.happens.load(this.page.story.events);
     this.happens.mark(this.page.player.t + this.page.player.start);
+  }
+  /** Where the energy is in the end, as the story has it. */
+  #share() {
+    const { energy } = this.page.story;
+    this.shares.hidden = !energy?.childElementCount;
+    if (!energy) return;
+    const head = make('span', { textContent: text('opening.energy') });
+    this.shares.replaceChildren(head, ...energy.cloneNode(true).childNodes);
   }
   /**
    * Another scene: the dock opens on what it is about, and closes with it unless a hand has opened it.

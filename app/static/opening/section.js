@@ -1,11 +1,11 @@
 // Below the bodies: their rows over time, which runs down, and beside them contact force and tracks on the same clock.
 import { cleared, letters, scale as zoom } from '../charts/canvas.js';
 import { between, ticks } from '../charts/scale.js';
-import { COLORS, css, STYLES } from '../charts/styles.js';
+import { COLORS, css, dark, STYLES } from '../charts/styles.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
-import { feet, striker, struck, traces } from './beside.js';
+import { feet, NARROW, striker, struck, traces } from './beside.js';
 import { weave } from './rows.js';
 import { seam } from './seam.js';
 import { dot, drawTrack, placed } from './tracks.js';
@@ -23,10 +23,9 @@ const FOOT = 10;
 // The track of the force: shares of the width, pixels left for times, how much of it a peak takes, and share of others.
 const TRACK = { edge: 0.06, least: 44 * zoom, gap: 0.05, most: 0.72, beside: 0.4 };
 const KEEP = [0.3, 1]; // shares of the scale between which a peak leaves it as it is
-const LATER = 'rgba(255,255,255,.45)'; // over what has not happened yet
+const LATER = `rgba(255,255,255,${dark ? 0.3 : 0.45})`; // over what has not happened yet
 const FLOW = 0.4; // of the colour of the struck end, between it and its force
 const LABEL = { peak: 26, narrow: 18, line: 17 }; // pixels
-const NARROW = 560; // of width
 const WALL = '#55636f';
 const TIMES = 10; // pixels before them
 
@@ -69,6 +68,7 @@ export class Section {
   /** @type {Scene | null} */ shown = null;
   /** @type {Float64Array} */ ends = new Float64Array(0); // values at the struck place, row by row
   most = 0; // the end of the scale of forces [N]
+  /** @type {unknown} */ scene = ''; // that it is of
   words = new Words(); // that are not paler before their time
   /** @type {{ track: Track, place: Place }[]} */ tracks = [];
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
@@ -156,10 +156,14 @@ export class Section {
    * @param {Woven} scene
    */
   #scale({ forces: [{ factor = 1, y }] }) {
+    const { frame, history } = this.page;
+    const { scene } = frame.chosen;
+    const hand = this.scene === scene && !history.going; // else it is as if the scene were opened so
+    this.scene = scene;
     let peak = 0;
     for (let k = 0; k < y.length; k++) peak = Math.max(peak, factor * y[k]);
     const share = peak / (TRACK.most * this.most);
-    if (share > KEEP[0] && share <= KEEP[1]) return;
+    if (hand && share > KEEP[0] && share <= KEEP[1]) return;
     this.most = (peak || 1) / TRACK.most;
   }
   /**
@@ -199,14 +203,19 @@ export class Section {
     c.lineWidth = 1;
     c.fillStyle = COLORS.faint;
     c.textAlign = 'center';
+    let right = Infinity;
     for (const force of ticks(0, this.most * factor, Math.max(track / (70 * zoom), 2)).found) {
+      const words = localised(String(force));
+      const half = c.measureText(words).width / 2 + 3;
       const x = Math.round(this.#x(force / factor)) + 0.5;
       c.strokeStyle = force ? COLORS.grid : COLORS.edge;
       c.beginPath();
       c.moveTo(x, top);
       c.lineTo(x, top + tall);
       c.stroke();
-      c.fillText(localised(String(force)), x, top - 6);
+      if (x + half > right) continue;
+      right = x - half;
+      c.fillText(words, x, top - 6);
     }
     this.#clock(c, scene);
     c.fillStyle = COLORS.ink;
@@ -338,8 +347,12 @@ export class Section {
     c.strokeStyle = COLORS.cursor;
     c.lineWidth = 1.4;
     c.beginPath();
-    c.moveTo(0, y);
-    c.lineTo(width, y);
+    let from = 0;
+    for (const [left, right] of [...this.words.across(y), [width, width]]) {
+      c.moveTo(from, y); // it strikes out no words
+      c.lineTo(Math.max(left, from), y);
+      from = Math.max(right, from);
+    }
     c.stroke();
     for (const { track, place } of this.tracks) dot(c, track, place, t, y);
     if (!shown.drawn) {

@@ -55,6 +55,18 @@ export class Words {
     });
   }
   /**
+   * Stretches in which words lie on a height, from the left.
+   * @param {number} y
+   * @returns {[from: number, to: number][]}
+   */
+  across(y) {
+    const boxes = this.all.map((each) => boxOf(this.#ruler, each));
+    const on = boxes.filter(([, top, , bottom]) => top - HALO < y && y < bottom + HALO);
+    return on
+      .map(([left, , right]) => /** @type {[number, number]} */ ([left - HALO, right + HALO]))
+      .sort(([a], [b]) => a - b);
+  }
+  /**
    * All of them, and what is said of the instant where it lies on none.
    * @param {CanvasRenderingContext2D} c
    * @param {string} now

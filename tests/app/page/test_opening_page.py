@@ -127,7 +127,7 @@ def test_the_rows_follow_a_slider(open_page):
 def test_an_old_link_has_its_question_and_sliders_in_the_picture(open_page):
     page = open_page("?scene=free-rod&mass_ratio=2")
     page.tab.locator(".folder.left").click()
-    page.tab.get_by_role("button", name="Picture", exact=True).click()
+    page.tab.get_by_role("button", name="← Picture", exact=True).click()
     expect(page.tab.locator(".ask h2")).to_contain_text("Nothing holds the rod.")
     expect(page.tab.locator(".leading:visible")).to_have_count(4)
     assert page.tab.locator(".closer button").count() > 3
@@ -193,7 +193,7 @@ def test_the_laboratory_is_one_click_away_is_remembered_and_back_leads_to_the_pi
     page.tab.goto(page.tab.url.split("?")[0])  # it is remembered
     page.laid_out()
     assert page.evaluate(MODE) == "desk"
-    page.tab.get_by_role("button", name="Picture", exact=True).click()
+    page.tab.get_by_role("button", name="← Picture", exact=True).click()
     assert page.evaluate(MODE) == "lead"
 
 
@@ -345,7 +345,7 @@ def test_a_dropped_ball_has_the_clock_of_its_fall_in_the_opening_alone(open_page
     page.tab.locator(".closer").get_by_role("button", name="All charts and controls").click()
     assert page.evaluate("() => strikewave.page.player.duration") == page.header("duration")
     assert page.evaluate("() => strikewave.page.root.dataset.kind") == "axial"
-    page.tab.get_by_role("button", name="Picture", exact=True).click()
+    page.tab.get_by_role("button", name="← Picture", exact=True).click()
     assert page.evaluate("() => strikewave.page.player.duration") > 4.0
 
 
