@@ -15,7 +15,7 @@ import { localised } from '../text/format.js';
  * @param {number} height
  */
 export function scaleBar(c, { frame, largest: end, what }, width, height) {
-  const bar = Math.min(150, width * 0.3);
+  const bar = Math.min(150 * zoom, 0.42 * width); // as long as the words of its ends
   const x = width - bar - 16;
   const y = height - 8 - 16 * zoom;
   const unit = what === 'stress' ? frame.stressUnit / 1e6 : frame.speed;
@@ -29,10 +29,12 @@ export function scaleBar(c, { frame, largest: end, what }, width, height) {
   hatch(c, [[x, x + 0.47 * bar]], y, 7);
   c.fillStyle = COLORS.faint;
   c.font = letters(13);
+  const [least, most] = [text('axial.stage.least', { what }), text('axial.stage.most', { what })];
   c.textAlign = 'left';
-  c.fillText(text('axial.stage.least', { what, value: show(-largest) }), x, y - 4);
+  if (c.measureText(`${least} ${most}`).width < bar) c.fillText(least, x, y - 4);
   c.textAlign = 'right';
-  const words = text('axial.stage.most', { what, value: `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}` });
+  c.fillText(most, x + bar, y - 4);
+  const words = `± ${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}`;
   c.fillText(words, x + bar, y + 7 + 13 * zoom);
   return [x + bar - c.measureText(words).width, x];
 }

@@ -1,5 +1,5 @@
 // The stage: the bodies themselves, movement exaggerated by a stated factor.
-import { cleared, letters, scale as zoom, sizeOf } from '../charts/canvas.js';
+import { cleared, letters, scale as zoom } from '../charts/canvas.js';
 import { hatch, isHatched, stretchesOf } from '../charts/hatch.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
@@ -368,6 +368,6 @@ export class Stage {
     const i = Math.round(place * (SLICES - 1));
     const x = left + place * length + this.moved[i] * this.scale;
     const name = text('axial.stage.wave', { rigid: this.frame.rigid });
-    runs(c, [x, top - 9], outward ? 1 : -1, name, sizeOf(this.root)[0]);
+    runs(c, [x, top - 9], outward ? 1 : -1, name, left + length);
   }
 }

@@ -1,6 +1,6 @@
 // What the opening draws of bodies in space below their stage: the clock of an impact without time is the impulse.
 import { text } from '../text/catalogue.js';
-import { engineering, scaled } from '../text/format.js';
+import { figures, scaled } from '../text/format.js';
 import { bodyOf, smoothOf } from './smooth.js';
 import { cross, dot, triple } from './vectors.js';
 
@@ -72,7 +72,7 @@ export function tracksOf(frame) {
   const most = pressed(frame);
   const [per, sign] = scaled(most, 'N s');
   return {
-    by: '',
+    by: text('opening.track.clock'),
     clock: [(per * most) / IMPACT, sign],
     drawn: null,
     tall: true,
@@ -220,4 +220,8 @@ export function wayOf({ across, bodies: { impactor }, slidePress, sliding }) {
  * @param {SpaceFrame} frame
  * @param {number} t
  */
-export const impulseAt = (frame, t) => engineering(shareAt(t) * pressed(frame), 'N s', 3);
+export function impulseAt(frame, t) {
+  const most = pressed(frame);
+  const [per, sign] = scaled(most, 'N s'); // as the axis has it
+  return `${figures(shareAt(t) * most * per)} ${sign}`;
+}
