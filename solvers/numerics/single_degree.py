@@ -3,11 +3,18 @@
 Source: thesis 3.3.
 """
 
-from typing import NamedTuple
+import math
+from typing import NamedTuple, Self
 
 import numpy as np
+from numba.extending import register_jitable
+
+from ..jit.kernels import kernel
+from .waves.drawn import instant
 
 SQUARE = 2.5  # (3.22): omega_3^2 = 135/54 E A / (L m)
+SAMPLES = 1_000  # instants kept of a contact, and of a time unit after it; fewer, and drawn curves have corners
+LONGEST_FLIGHT = 20.0  # time units that as many are kept of
 
 
 class Response(NamedTuple):
@@ -21,33 +28,70 @@ class Response(NamedTuple):
     bent: np.ndarray  # coordinate of the structure [m]
     bent_rate: np.ndarray
 
+    @classmethod
+    def of(cls, time: np.ndarray) -> Self:
+        """At these instants, not yet solved."""
+        return cls(time, *np.empty((len(cls._fields) - 1, time.size)))
 
-def on_spring(
-    mass: float, carried: float, stiffness: float, speed: float, contact: np.ndarray, flight: np.ndarray
-) -> Response:
+
+@register_jitable
+def half_swing(mass, carried, stiffness):
+    """Half a period [s] of both on a spring: how long a mass that strikes it stays. Source: thesis (3.17), (3.20)."""
+    return math.pi * math.sqrt((mass + carried) / stiffness)
+
+
+@register_jitable
+def energy_of_spring(stiffness, carried, bent, rate):
+    """Of a spring with what it carries [J]."""
+    return 0.5 * stiffness * bent**2 + 0.5 * carried * rate**2
+
+
+@register_jitable
+def straight(share):
+    """Displacement of a rod that bends as a spring at this share of its length, over that of its struck end."""
+    return 1.0 - share
+
+
+@register_jitable
+def instants_of(parting, duration, unit):
+    """How many: SAMPLES + 1 of the contact, and those of the flight that follows."""
+    return SAMPLES + 3 + int(min(SAMPLES * max(duration - parting, 0.0) / unit, LONGEST_FLIGHT * SAMPLES))
+
+
+@kernel
+def spread(parting, duration, time):
+    """Write the instants [s] of a contact and of the flight after it, both evenly."""
+    contact = SAMPLES + 1
+    flight, most = time.size - contact, max(duration - parting, 1e-9 * parting)
+    for k in range(contact):
+        time[k] = instant(k, contact, parting)
+    for k in range(flight):
+        time[contact + k] = parting + instant(k, flight, most)
+
+
+@kernel
+def on_spring(mass, carried, stiffness, speed, response):
     """A mass strikes a spring that carries another; they go on as one, and part when the first feels no force.
 
     (3.15)-(3.17) without the carried mass, (3.19), (3.20) with it: an impulse at once, then a half sine. `bent` is the
-    end of the spring, which swings on by itself.
+    end of the spring, which swings on by itself. response: with its instants as `spread` makes them.
     """
-    frequency = np.sqrt(stiffness / (mass + carried))
-    start = speed * mass / (mass + carried)
-    angle, since = frequency * contact, flight - contact[-1]
-    swing, swing_rate = np.zeros_like(since), np.zeros_like(since)
-    if carried:
-        own = np.sqrt(stiffness / carried)
-        swing, swing_rate = -start / own * np.sin(own * since), -start * np.cos(own * since)
-    depth, rate = start / frequency * np.sin(angle), start * np.cos(angle)
-    impulse = mass * (speed - start) + mass * start * 2.0 * np.sin(0.5 * angle) ** 2
-    return Response(
-        time=np.concatenate((contact, flight)),
-        force=_then(mass * frequency * start * np.sin(angle), 0.0 * since),
-        impulse=_then(impulse, impulse[-1] + 0.0 * since),
-        position=_then(depth, -start * since),
-        velocity=_then(rate, -start + 0.0 * since),
-        bent=_then(depth, swing),
-        bent_rate=_then(rate, swing_rate),
-    )
+    frequency, own = np.sqrt(stiffness / (mass + carried)), np.sqrt(stiffness / carried) if carried > 0.0 else 0.0
+    start, last = speed * mass / (mass + carried), SAMPLES
+    for k in range(response.time.size):
+        if k <= last:
+            angle = frequency * response.time[k]
+            depth, rate = start / frequency * np.sin(angle), start * np.cos(angle)
+            response.force[k] = mass * frequency * start * np.sin(angle)
+            response.impulse[k] = mass * (speed - start) + mass * start * 2.0 * np.sin(0.5 * angle) ** 2
+            response.position[k] = response.bent[k] = depth
+            response.velocity[k] = response.bent_rate[k] = rate
+            continue
+        since, swings = response.time[k] - response.time[last], carried > 0.0
+        response.force[k], response.impulse[k] = 0.0, response.impulse[last]
+        response.position[k], response.velocity[k] = -start * since, -start
+        response.bent[k] = -start / own * np.sin(own * since) if swings else 0.0
+        response.bent_rate[k] = -start * np.cos(own * since) if swings else 0.0
 
 
 def against_equal(

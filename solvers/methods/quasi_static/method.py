@@ -10,7 +10,17 @@ from ...bodies import Balls, Bending, Rod, Wall, Waveguide
 from ...contact import Hertz, Linear, Power
 from ...contact.duration import contact_time, exponent_of
 from ...numerics.collisions import Collision, damped_collision, path_collision, power_collision, sine_collision
-from ...numerics.single_degree import SQUARE, Response, against_equal, on_spring
+from ...numerics.single_degree import (
+    SAMPLES,
+    SQUARE,
+    Response,
+    against_equal,
+    energy_of_spring,
+    half_swing,
+    instants_of,
+    on_spring,
+    spread,
+)
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion, ShapeField, field_as_a_whole
@@ -26,7 +36,6 @@ from .springs import is_spring, spring_of
 from .validity import beam_notes, equal_rods, rod_notes, waves_left_out
 
 MODELS = ("auto", "structural", "structural-massless", "structural-printed", "local", "hertz-sine")
-SAMPLES_PER_CONTACT = 1_000  # instants kept of it, and of a time unit after it; fewer, and drawn curves have corners
 
 
 @dataclass(frozen=True)
@@ -166,10 +175,9 @@ class _Instants:
     def __init__(self, contact_time: float, unit: float, duration: float | None):
         self.parting = contact_time
         self.duration = contact_time + AFTERGLOW * unit if duration is None else duration
-        flight = max(self.duration - contact_time, 0.0)
-        count = 2 + int(min(SAMPLES_PER_CONTACT * flight / unit, 20 * SAMPLES_PER_CONTACT))
-        self.contact = np.linspace(0.0, contact_time, SAMPLES_PER_CONTACT + 1)
-        self.flight = contact_time + np.linspace(0.0, max(flight, 1e-9 * contact_time), count)
+        self.time = np.empty(instants_of(contact_time, self.duration, unit))
+        spread(contact_time, self.duration, self.time)
+        self.contact, self.flight = self.time[: SAMPLES + 1], self.time[SAMPLES + 1 :]
 
     def period(self, response: Response) -> ContactPeriod:
         end = min(self.parting, self.duration)
@@ -188,9 +196,9 @@ def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> Estimat
     mass, target, speed = scene.impactor.mass, scene.target, scene.speed
     spring = spring_of(target)
     reduced, carried = 1.0 / (1.0 / mass + 1.0 / spring.whole_mass), spring.carried if with_mass else 0.0
-    half_swing = math.pi * math.sqrt((reduced + carried) / spring.stiffness)
-    instants = _Instants(half_swing, scene.time_unit, duration)
-    response = on_spring(reduced, carried, spring.stiffness, speed, instants.contact, instants.flight)
+    instants = _Instants(half_swing(reduced, carried, spring.stiffness), scene.time_unit, duration)
+    response = Response.of(instants.time)
+    on_spring(reduced, carried, spring.stiffness, speed, response)
     moving = response.impulse / spring.whole_mass
     moved = (speed * response.time - response.position) * reduced / spring.whole_mass
     drift, gained = target.velocity * response.time, speed - response.impulse / mass
@@ -199,7 +207,7 @@ def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> Estimat
     energies = {
         "impactor": 0.5 * mass * (target.velocity + gained) ** 2,
         "target_rigid": start + whole_mass * moving * (target.velocity + 0.5 * moving),
-        "target_vibration": 0.5 * spring.stiffness * response.bent**2 + 0.5 * carried * response.bent_rate**2,
+        "target_vibration": energy_of_spring(spring.stiffness, carried, response.bent, response.bent_rate),
         "local": np.zeros_like(moving),
         "dissipated": np.full_like(moving, 0.5 * speed * response.impulse[0]),  # as two bodies become one
     }
@@ -217,12 +225,12 @@ def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> Estimat
     )
     extra = {
         "initial_impulse": float(response.impulse[0]),
-        "peak_root_force": float(spring.stiffness * response.bent[: SAMPLES_PER_CONTACT + 1].max()),
+        "peak_root_force": float(spring.stiffness * response.bent[: SAMPLES + 1].max()),
     }
     if target.bends:
         extra |= {
             "equivalent_mass": spring.carried,
-            "peak_deflection": float(response.bent[: SAMPLES_PER_CONTACT + 1].max()),
+            "peak_deflection": float(response.bent[: SAMPLES + 1].max()),
         }
     return Estimate(motion, instants.duration, instants.period(response), diagnostics=extra)
 
@@ -339,9 +347,9 @@ def _as_a_whole(scene: Scene, found: Collision, last: float) -> SampledMotion:
 
 def _collision(law: Any, model: str, mass: float, speed: float) -> Collision:
     if model == "hertz-sine":
-        return sine_collision(law.stiffness, mass, speed, SAMPLES_PER_CONTACT)
+        return sine_collision(law.stiffness, mass, speed, SAMPLES)
     if isinstance(law, (Linear, Hertz, Power)):
-        return power_collision(law.stiffness, exponent_of(law), mass, speed, SAMPLES_PER_CONTACT)
+        return power_collision(law.stiffness, exponent_of(law), mass, speed, SAMPLES)
     if law.LOSSY:
         return damped_collision(law, mass, speed, contact_time(law, mass, speed))
     return path_collision(law, mass, speed)

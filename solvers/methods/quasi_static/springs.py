@@ -10,7 +10,7 @@ import numpy as np
 from ...bodies import AnyBody, Bending, Rod, SpringMass
 from ...numerics.beams.statics import rigid_motion, static_shape
 from ...numerics.quadrature import gauss
-from ...numerics.single_degree import Response
+from ...numerics.single_degree import Response, half_swing, straight
 from ...solution.sampled_motion import ShapeField
 
 
@@ -31,7 +31,7 @@ class Spring(NamedTuple):
     def half_swing(self, mass: float) -> float:
         """Half a period [s] with this mass on it [kg]."""
         reduced = 1.0 / (1.0 / mass + 1.0 / self.whole_mass)
-        return math.pi * math.sqrt((reduced + self.carried) / self.stiffness)
+        return half_swing(reduced, self.carried, self.stiffness)
 
 
 @singledispatch
@@ -65,7 +65,7 @@ def _(target: Bending) -> Spring:
 
 def _straight(rod: Rod) -> Callable[[Response, np.ndarray, np.ndarray], ShapeField]:
     def shapes(x):
-        return (1.0 - x / rod.length)[None, :]
+        return straight(x / rod.length)[None, :]
 
     def slopes(x):
         return np.full((1, x.size), -1.0 / rod.length)
