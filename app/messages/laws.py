@@ -5,18 +5,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from solvers import LAWS, Modal, Rod, Scene, SceneError, Waves
+from solvers import LAWS, Modal, QuasiStatic, Rod, Scene, SceneError, Solution, Waves
 from solvers.bodies import RigidMass
 from solvers.contact import Rigid
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.damping import OF_KERNELS
 from solvers.contact.duration import exponent_of
+from solvers.methods.quasi_static.springs import is_spring, spring_of
 
 from ..choices.built_in import base_of
 from ..choices.choices import Choices
+from ..choices.kinds import own_options
 from ..choices.laws import DEPTH, STIFFNESS, contact_table, law_choices
 
 DAMPED = 0.5  # a restitution at which it shows how damping grows
+STRUCTURAL = "structural"  # model of the quasi-static method; others whose names begin so leave a mass out
 SAME = 1e-9  # relative difference of constants that are the same but for rounding
 
 
@@ -27,9 +30,22 @@ def laws_of_a_rod(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any
         return []
     if target.support == "anechoic" or target.end_mass or target.velocity:
         return []
-    if chosen["method"] not in (Waves.NAME, Modal.NAME):
+    if chosen["method"] not in (Waves.NAME, Modal.NAME, QuasiStatic.NAME):
         return []
-    return law_fields(scene, chosen, Units(scene.time_unit, target.impedance))
+    found = law_fields(scene, chosen, Units(scene.time_unit, target.impedance))
+    if chosen["method"] == QuasiStatic.NAME and "model" not in own_options(scene, QuasiStatic.NAME):
+        return [law for law in found if not law["constants"]]  # by others the rod bends no more as a spring
+    return found
+
+
+def carried_by_spring(other: Solution | None) -> float | None:
+    """The share of the mass of a fixed rod that goes with its end, where the rod bends as a spring."""
+    if other is None or other.method["name"] != QuasiStatic.NAME or not other.method["model"].startswith(STRUCTURAL):
+        return None
+    target = other.scene.target
+    if not isinstance(other.scene.impactor, RigidMass) or not isinstance(target, Rod) or not is_spring(target):
+        return None
+    return spring_of(target).carried / target.mass if other.method["model"] == STRUCTURAL else 0.0
 
 
 class Units(NamedTuple):

@@ -48,6 +48,8 @@ RECORDS: dict[str, Fields] = {
         "energy_drift": Field("number", "the largest, as a share", True),
         "constraint_error": Field("number", "[m]", True),
         "steps": Field("number", "", True),
+        "initial_impulse": Field("number", "on a spring that carries a mass, of the first instant [N s]", True),
+        "peak_root_force": Field("number", "on what holds it [N]", True),
         "pivot_moment": Field("number", "of a pendulum that bends [N m]", True),
         "contact_moment": Field("number", "", True),
     },

@@ -70,6 +70,9 @@ AXIAL: Fields = {
     "match": Field("number | null", "restitution that would have matched"),
     "rigid": Field("boolean", "whether nothing gives way at the contact itself"),
     "laws": Field("LawRecord[]", "of a mass on a rod, that can be chosen: for kernels of the browser"),
+    "springCarries": Field(
+        "number | null", "share of its mass with the end of a rod that bends as a spring by the other method; else None"
+    ),
     "damps": Field("boolean", "whether the contact law does"),
     "yields": Field("boolean", "whether the contact law does"),
     "exponent": Field("number", "power of the indentation with which its force begins, 1 where nothing gives way"),

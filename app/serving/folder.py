@@ -39,6 +39,9 @@ REMADE = {  # by kind of message: histories that kernels make anew, or that only
 }
 FLOWING = ("blowDepth", "touchRadius")  # beside a flow that only a server knows
 REMADE_BESIDE = ("modalForce", "otherMass", "otherEnd")  # of a rod, where modes are marched as usual
+REMADE_SPRING = (  # of one that bends as a spring
+    *("otherMass", "otherEnd", "otherTime", "otherForce", "fieldStress", "fieldVelocity", "fieldDisplacement"),
+)
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
     "img-src data: blob:; media-src blob:; font-src data:; base-uri 'none'; form-action 'none'"
@@ -143,6 +146,8 @@ def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
     """Header and arrays of a message, of which those are empty that the kernels of the browser make anew."""
     header, at = read_header(message), 4 + int.from_bytes(message[:4], "little")
     remade = REMADE[header["kind"]] + (REMADE_BESIDE if header.get("usualSteps") else ())
+    if header.get("springCarries") is not None:
+        remade += REMADE_SPRING
     if any(name == "touchFlow" for name, *_ in header["arrays"]):
         remade += FLOWING
     arrays = []

@@ -42,6 +42,8 @@ export interface Diagnostics {
   /** the largest, as a share */ energy_drift?: number;
   /** [m] */ constraint_error?: number;
   steps?: number;
+  /** on a spring that carries a mass, of the first instant [N s] */ initial_impulse?: number;
+  /** on what holds it [N] */ peak_root_force?: number;
   /** of a pendulum that bends [N m] */ pivot_moment?: number;
   contact_moment?: number;
 }
@@ -394,6 +396,7 @@ export interface AxialFrame extends Common {
   /** restitution that would have matched */ match: number | null;
   /** whether nothing gives way at the contact itself */ rigid: boolean;
   /** of a mass on a rod, that can be chosen: for kernels of the browser */ laws: LawRecord[];
+  /** share of its mass with the end of a rod that bends as a spring by the other method; else null */ springCarries: number | null;
   /** whether the contact law does */ damps: boolean;
   /** whether the contact law does */ yields: boolean;
   /** power of the indentation with which its force begins, 1 where nothing gives way */ exponent: number;

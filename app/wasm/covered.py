@@ -5,7 +5,7 @@ The browser's own word on each answer is `covers` in `app/static/wasm/answers.js
 
 from collections.abc import Callable, Mapping
 
-from solvers import Beam, Modal, RigidMass, Rod, Scene, Waves, usual_method
+from solvers import Beam, Modal, QuasiStatic, RigidMass, Rod, Scene, Waves, usual_method
 
 
 def covered(scene: Scene) -> bool:
@@ -22,16 +22,31 @@ def _mass_strikes(scene: Scene) -> bool:
     return isinstance(scene.impactor, RigidMass) and "height" not in scene.given.get("impactor", {})
 
 
-def _on_rod(scene: Scene) -> bool:
-    """A mass on one uniform rod at rest, fixed or free at its far end, by waves or modes for as long as is usual."""
-    target, method = scene.target, scene.method
+def _on_plain_rod(scene: Scene) -> bool:
+    """A mass on one uniform rod at rest, fixed or free at its far end."""
+    target = scene.target
     if not _mass_strikes(scene) or not isinstance(target, Rod):
         return False
-    plain = target.support in ("fixed", "free") and not target.end_mass and not target.velocity
+    return target.support in ("fixed", "free") and not target.end_mass and not target.velocity
+
+
+def _on_rod(scene: Scene) -> bool:
+    """The same by waves or modes for as long as is usual."""
+    method = scene.method
     name = method.get("name", Waves.NAME)
-    return plain and (
+    return _on_plain_rod(scene) and (
         (name == Waves.NAME and "duration" not in method) or (name == Modal.NAME and method.keys() <= {"name", "modes"})
     )
+
+
+def _on_spring(scene: Scene) -> bool:
+    """The same where it is fixed and bends as a spring, beside waves."""
+    method = scene.method
+    if not _on_plain_rod(scene) or not scene.target.held or method.get("name") != QuasiStatic.NAME:
+        return False
+    shown = QuasiStatic(model=method.get("model", "auto")).model_of(scene)
+    known = scene.rigid_contact or "model" in method  # by a law, which one is taken hangs on the mass
+    return shown.startswith("structural") and known and method.keys() <= {"name", "model"}
 
 
 def _on_beam(scene: Scene) -> bool:
@@ -48,4 +63,5 @@ ANSWERED_BY: dict[str, Callable[[Scene], bool]] = {  # by entry, as in `entries.
     "rod": lambda scene: scene.rigid_contact and _on_rod(scene),
     "law": lambda scene: not scene.rigid_contact and _on_rod(scene),
     "beam": _on_beam,
+    "spring": _on_spring,
 }

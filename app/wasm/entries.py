@@ -7,10 +7,11 @@ from collections.abc import Sequence
 
 from .entry import KINDS
 from .modal_entries import MODAL_ENTRIES
+from .spring_entries import FEW, PLACES, SPRING_ENTRIES
 from .wave_entries import DASHPOTS, WAVE_ENTRIES
 
 ON_A_LINE = 80  # of letters of a list: longer ones have one for each of theirs
-ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES
+ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES
 
 
 def room() -> str:
@@ -19,6 +20,7 @@ def room() -> str:
         "// Sizes of the arrays that kernels work in, and places of figures: written by app/wasm/build.py.\n"
         f"export const ROOM = {_listed({name: entry.room for name, entry in ENTRIES.items()})};\n"
         f"export const OUT = {_listed({name: entry.out for name, entry in ENTRIES.items()})};\n"
+        f"export const FIELD = [{FEW}, {PLACES}]; // instants and places of a rod that bends as a spring\n"
         f"export const LAWS = {_names([kind.NAME for kind in KINDS])};\n"
         f"export const DASHPOTS = {_names(DASHPOTS)};\n"
     )

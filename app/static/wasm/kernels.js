@@ -85,6 +85,12 @@ const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactor
  *   { cycle: Cycle }} BentImpact
  */
 
+/**
+ * A mass on a rod that bends as a spring, in units T, v and Z v; the fields row by row, stress in Z v over the area.
+ * @typedef {Omit<Impact, 'cycle' | 'histories' | 'target'> & { atOnce: number, root: number, steps: number } &
+ *   Record<'mass' | 'end' | 'forceTime' | 'force' | 'stress' | 'velocity' | 'displacement', Float64Array>} SprungImpact
+ */
+
 export class Kernels {
   /** @param {WebAssembly.Exports} exports */
   constructor(exports) {
@@ -229,6 +235,25 @@ export class Kernels {
     const { figures, read } = called;
     const force = read('histories', figures.steps);
     return { ...marched(figures, read), duration, force, mass: read('mass'), end: read('end') };
+  }
+  /**
+   * A mass on a fixed rod that bends as a spring.
+   * @param {number} beta
+   * @param {number} carried  share of the mass of the rod that goes with its end
+   * @param {number} duration  [T]; none where the bodies then still touch
+   * @returns {SprungImpact | null}
+   */
+  spring(beta, carried, duration) {
+    const called = this.#call('spring', beta, carried, duration);
+    if (!called) return null;
+    const { figures, read } = called;
+    const { apart, atOnce, compressing, dissipated, energy, final, impulse, parting, peak, root, steps } = figures;
+    const contacts = [{ start: 0, end: parting, push: impulse, after: final, peak }];
+    return {
+      ...{ apart, atOnce, compressing, contacts, dissipated, duration, energy, final, impulse, root, steps },
+      ...{ mass: read('mass'), end: read('end'), forceTime: read('forceTime'), force: read('force') },
+      ...{ stress: read('stress'), velocity: read('velocity'), displacement: read('displacement') },
+    };
   }
   /**
    * A mass across what bends, by the modes of that.

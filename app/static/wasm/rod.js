@@ -3,6 +3,7 @@ import { between } from '../charts/scale.js';
 import { figuresOf, unbalanced } from './figures.js';
 import { cycleOf, felt, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
 import { besideOf, byModes } from './modal.js';
+import { besideBySpring, bySpring } from './spring.js';
 
 /** @import { AxialFrame, Chosen, LawRecord } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
@@ -31,7 +32,8 @@ export function isRod(frame) {
   const mass = ['mass', 'sphere'].includes(impactor.kind) && impactor.mass > 0;
   const last = exact.contacts.at(-1)?.[1] ?? NaN;
   const usual = Math.abs(duration - last - 1) < 1e-9 && !draft && !stretch && !fall;
-  const shown = [exact.name, other?.name].includes(String(chosen.method)) && (!other || byModes(frame));
+  const beside = !other || byModes(frame) || bySpring(frame);
+  const shown = [exact.name, other?.name].includes(String(chosen.method)) && beside;
   return alone && mass && pressed(frame) && exact.travelling && usual && shown;
 }
 
@@ -87,7 +89,7 @@ export function rodWith(kernels, from, chosen) {
   exact.diagnostics.estimated_error = Math.max(unsure, impact.cycle ? ERROR.law : ERROR.rigid);
   exact.diagnostics.wall_time = (performance.now() - begun) / 1e3;
   const whole = { ...made, exact, match: exact.restitution.newton };
-  const beside = besideOf(kernels, whole, law);
+  const beside = bySpring(whole) ? besideBySpring(kernels, whole) : besideOf(kernels, whole, law);
   if (!beside) return null;
   if (mass === from.impactor.mass && times === 1 && same(from, chosen, law)) {
     exact.notes = from.exact.notes;

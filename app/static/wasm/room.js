@@ -78,6 +78,17 @@ export const ROOM = {
     lawCycle: 120,
     out: 18,
   },
+  spring: {
+    response: 147021,
+    mass: 301,
+    end: 301,
+    forceTime: 1003,
+    force: 1003,
+    stress: 3410,
+    velocity: 3410,
+    displacement: 3410,
+    out: 11,
+  },
 };
 export const OUT = {
   rod: {
@@ -146,7 +157,21 @@ export const OUT = {
     duration: 16,
     half: 17,
   },
+  spring: {
+    impulse: 0,
+    final: 1,
+    apart: 2,
+    compressing: 3,
+    energy: 4,
+    dissipated: 5,
+    parting: 6,
+    peak: 7,
+    atOnce: 8,
+    root: 9,
+    steps: 10,
+  },
 };
+export const FIELD = [110, 31]; // instants and places of a rod that bends as a spring
 export const LAWS = [
   'linear',
   'hertz',

@@ -50,7 +50,14 @@ function beam([struck, name, constants]) {
   return { ...figures, ...lists, contacts: rows };
 }
 
+function spring([beta, carried, duration]) {
+  const impact = found.spring(beta, carried, duration);
+  if (!impact) return {};
+  const lists = Object.entries(impact).map(([each, value]) => [each, value.length ? [...value] : value]);
+  return Object.fromEntries(lists);
+}
+
 const given = JSON.parse(readFileSync(0, 'utf8'));
-const each = { rod, law, modes, beam };
-const answers = Object.entries(each).map(([name, one]) => [name, given[name].map(one)]);
+const each = { rod, law, modes, beam, spring };
+const answers = Object.entries(each).map(([name, one]) => [name, (given[name] ?? []).map(one)]);
 console.log(JSON.stringify(Object.fromEntries(answers)));
