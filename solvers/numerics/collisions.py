@@ -6,10 +6,11 @@ Source: thesis 3.4, (3.28)-(3.34).
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from .closed_collisions import Collision, follow_power, follow_sine
 from .quadrature import gauss_within
 
 CELLS_PER_STRETCH = 200  # of each stretch of the path on which the law has one formula
@@ -17,25 +18,6 @@ CELLS_PER_STRETCH = 200  # of each stretch of the path on which the law has one 
 WIDEST_STRETCH = 100.0
 QUADRATURE_STAGES = 6  # of the quadrature in each cell
 SUBSTEPS = 6  # kept of each step of a differential equation
-
-SINE_PEAK, SINE_RATE = 1.14, 1.068  # (3.34): in units of mu v^2 / a_max and v / a_max
-
-
-class Collision(NamedTuple):
-    """Arrays (time,) from first touch to parting."""
-
-    time: np.ndarray  # [s]
-    indentation: np.ndarray  # [m]
-    rate: np.ndarray  # [m/s]
-    force: np.ndarray  # [N]
-    impulse: np.ndarray  # [N s]
-    stored: np.ndarray  # [J], what the contact would give back
-    lost: np.ndarray  # [J], to the law
-
-
-def deepest_of_power(stiffness: float, exponent: float, mass: float, speed: float) -> float:
-    """Largest indentation under F = K a^n: all kinetic energy is stored. Source: (3.33) for n = 3/2."""
-    return (0.5 * (exponent + 1.0) * mass * speed**2 / stiffness) ** (1.0 / (exponent + 1.0))
 
 
 def duration_of_power(exponent: float) -> float:
@@ -48,48 +30,17 @@ def duration_of_power(exponent: float) -> float:
 
 
 def power_collision(stiffness: float, exponent: float, mass: float, speed: float, samples: int) -> Collision:
-    """F = K a^n, exactly: the share of the energy that is stored is an inverse incomplete beta function of time."""
-    from scipy.special import betaincinv  # here, so that importing the library stays quick
-
-    deepest = deepest_of_power(stiffness, exponent, mass, speed)
-    share, half = 1.0 / (exponent + 1.0), 0.5 * duration_of_power(exponent) * deepest / speed
-    part = np.linspace(0.0, 1.0, samples // 2 + 1)
-    stored, moving = betaincinv(share, 0.5, part), betaincinv(0.5, share, 1.0 - part)
-    indentation, rate = deepest * stored**share, speed * np.sqrt(moving)
-    energy = 0.5 * mass * speed**2
-    there, back = slice(None), slice(-2, None, -1)
-    indentation = np.concatenate((indentation[there], indentation[back]))
-    rate = np.concatenate((rate[there], -rate[back]))
-    return Collision(
-        time=half * np.concatenate((part, 2.0 - part[back])),
-        indentation=indentation,
-        rate=rate,
-        force=stiffness * indentation**exponent,
-        impulse=mass * (speed - rate),
-        stored=energy * np.concatenate((stored[there], stored[back])),
-        lost=np.zeros_like(rate),
-    )
+    """`follow_power` at an even number of stretches of time."""
+    found = Collision.of(samples // 2 * 2 + 1)
+    follow_power(stiffness, exponent, mass, speed, found)
+    return found
 
 
 def sine_collision(stiffness: float, mass: float, speed: float, samples: int) -> Collision:
-    """Hertz contact by the half sine of (3.34), which Goldsmith fitted: F = 1.14 mu v^2 / a_max sin(1.068 v t / a_max).
-
-    Differs: (3.34) prints m2 - m1 for m1 + m2 in mu = m1 m2 / (m1 + m2).
-    Error: duration -0.06 %, peak -8.8 % of 1.25 mu v^2 / a_max, impulse +6.7 %, so that the rebound is too fast.
-    """
-    deepest = deepest_of_power(stiffness, 1.5, mass, speed)
-    angle = np.linspace(0.0, math.pi, samples + 1)
-    impulse = SINE_PEAK / SINE_RATE * mass * speed * 2.0 * np.sin(0.5 * angle) ** 2
-    rate = speed - impulse / mass
-    return Collision(
-        time=angle * deepest / (SINE_RATE * speed),
-        indentation=deepest * np.sin(angle),
-        rate=rate,
-        force=SINE_PEAK * mass * speed**2 / deepest * np.sin(angle),
-        impulse=impulse,
-        stored=np.maximum(0.5 * mass * (speed**2 - rate**2), 0.0),
-        lost=np.zeros_like(angle),
-    )
+    """`follow_sine` at so many stretches of time."""
+    found = Collision.of(samples + 1)
+    follow_sine(stiffness, mass, speed, found)
+    return found
 
 
 def path_collision(law: Any, mass: float, speed: float) -> Collision:
