@@ -4,6 +4,7 @@ import math
 from functools import lru_cache
 
 import numpy as np
+from numba.extending import register_jitable
 
 from .elastic import Rigid
 from .protocol import Law, OfPower
@@ -21,9 +22,15 @@ def contact_time(law: Law, mass: float, speed: float) -> float:
     """About how long two compact bodies of this reduced mass [kg] touch [s]: half a swing on the secant stiffness."""
     if isinstance(law, Rigid):
         return 1e-3  # an impact of no duration at all: something to draw it on
-    depth = speed * 1e-4
+    return half_swing(lambda depth: law.force(depth, 0.0, 0.0), (), mass, speed)
+
+
+@register_jitable
+def half_swing(force, known, mass, speed):
+    """On the secant stiffness at the depth that it lets a mass come to; known: what `force` takes after the depth."""
+    depth, stiffness = speed * 1e-4, 0.0
     for _ in range(200):
-        stiffness = law.force(depth, 0.0, 0.0) / depth
+        stiffness = force(depth, *known) / depth
         depth = math.sqrt(depth * speed * math.sqrt(mass / stiffness))
     return math.pi * math.sqrt(mass / stiffness)
 

@@ -65,7 +65,7 @@ def early_instant(k, even, last):
 
 
 @inner_kernel
-def _at_rest(record, q, p):
+def at_rest(record, q, p):
     """Bodies that are about to touch at a speed of one."""
     record.indentation[0] = record.position[0] = record.rigid_position[0] = record.rigid_velocity[0] = 0.0
     record.spring_force[0] = record.lost[0] = 0.0
@@ -83,7 +83,7 @@ def _together(record, rigid):
 
 
 @inner_kernel
-def _cut(record, steps):
+def cut(record, steps):
     """The first steps alone."""
     n = steps + 1
     return Record(
@@ -105,7 +105,7 @@ def _damped(record, compliance, ringing_still):
 
 
 @inner_kernel
-def _figures(asked, of_law, residual, bodies, modes, step, stride, record, room, every_gap, parted, contacts, out):
+def figures(asked, of_law, residual, bodies, modes, step, stride, record, room, every_gap, parted, contacts, out):
     """Write contacts and figures of a march that has ended: see `answer`. Returns SOLVED, or NO_ROOM."""
     bank, q, p = room.bank, room.displacement, room.velocity
     (constants, lossy, rigid), (frequencies, at_contact, damping), force = of_law, modes, record.contact_force
@@ -171,10 +171,10 @@ def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, cont
     """
     kept = refer(room)
     set_bank(modes[0], modes[1], modes[0], modes[2], step, kept.bank)
-    _at_rest(kept.record, kept.displacement, kept.velocity)
+    at_rest(kept.record, kept.displacement, kept.velocity)
     _march(law, residual, bodies, step, stride, kept, 0, kept.record.contact_force.size)
     no = np.bool_(False)
-    status = _figures(asked, of_law, residual, bodies, modes, step, stride, kept.record, kept, no, no, contacts, out)
+    status = figures(asked, of_law, residual, bodies, modes, step, stride, kept.record, kept, no, no, contacts, out)
     _together(kept.record, of_law[2])
     for k in range(drawn[0].size):
         t = instant(k, drawn[0].size, step * kept.record.contact_force.size)
@@ -184,7 +184,7 @@ def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, cont
 
 
 @inner_kernel
-def _followed(law, residual, bodies, modes, step, stride, room, most, afterglow):
+def followed(law, residual, bodies, modes, step, stride, room, most, afterglow):
     """March whole periods of the target until one has passed without a touch and none can come; how many steps are to
     be seen, -1: no room. As `Modal` does."""
     record, chunk, done = room.record, int(np.ceil(2.0 * np.pi / modes[0][0] / step)), 0
@@ -235,7 +235,7 @@ def _histories(record, step, contacts, count, drawn):
 
 
 @inner_kernel
-def _cycle(record, step, asked, constants, slopes, until, deepest, drawn):
+def cycle_of(record, step, asked, constants, slopes, until, deepest, drawn):
     """The law slowly to the greatest indentation and back, at even depths, and what the impact did, at even times."""
     last = record.contact_force.size - 1
     for k in range(drawn.depths.size):  # a force is constant over each step: given in the middle
@@ -276,15 +276,15 @@ def answer_of_beam(
             return NO_ROOM
     residual = residual_spring(series, step, 2.0 * np.pi / highest, sudden[0], sudden[1])
     set_bank(frequencies, at_contact, frequencies, damping, step, kept.bank)
-    _at_rest(kept.record, kept.displacement, kept.velocity)
+    at_rest(kept.record, kept.displacement, kept.velocity)
     if asked_time > 0.0:
         _march(law, residual, bodies, step, stride, kept, 0, most)
     else:
-        most, parted = _followed(law, residual, bodies, modes, step, stride, kept, most, limits[1] * longest)
+        most, parted = followed(law, residual, bodies, modes, step, stride, kept, most, limits[1] * longest)
         if most < 1:
             return NO_ROOM
-    record = refer(_cut(kept.record, most))
-    status = _figures(
+    record = refer(cut(kept.record, most))
+    status = figures(
         asked, of_law, residual, bodies, modes, step, stride, record, kept, not rigid, parted, contacts, out
     )
     if status != SOLVED:
@@ -293,7 +293,7 @@ def answer_of_beam(
     _together(record, rigid)
     out[STEP] = step * _histories(record, step, contacts, count, drawn)
     until = min(step * most, BEYOND * contacts[count - 1, modal_contacts.END])
-    _cycle(record, step, asked, constants, slopes, until, out[DEEPEST], drawn)
+    cycle_of(record, step, asked, constants, slopes, until, out[DEEPEST], drawn)
     out[DURATION] = step * most
     out[HALF] = half_period(frequencies, at_contact, compliance, 1.0 / mass + 1.0 / rigid_mass)
     return SOLVED

@@ -30,7 +30,7 @@ class Drawn(NamedTuple):
 
 
 @inner_kernel
-def _between(time, values, t):
+def between(time, values, t):
     """A history at any time: straight between the instants; where one stands twice, after it."""
     low, high = 0, time.size - 1
     while high - low > 1:
@@ -50,8 +50,8 @@ def _fields(stiffness, duration, response, drawn):
     instants, places = drawn.stress.shape
     for i in range(instants):
         t = instant(i, instants, duration)
-        bent = _between(response.time, response.bent, t)
-        rate = _between(response.time, response.bent_rate, t)
+        bent = between(response.time, response.bent, t)
+        rate = between(response.time, response.bent_rate, t)
         for k in range(places):
             share = straight(k / (places - 1.0))
             drawn.stress[i, k] = stiffness * bent
@@ -83,7 +83,7 @@ def answer(mass, carried, stiffness, parting, duration, response, drawn, out):
         drawn.force_time[SAMPLES + 1 + k], drawn.force[SAMPLES + 1 + k] = (parting, duration)[k], 0.0
     for k in range(drawn.impactor.size):
         t = instant(k, drawn.impactor.size, duration)
-        drawn.impactor[k] = _between(response.time, response.position, t)
-        drawn.end[k] = _between(response.time, response.bent, t)
+        drawn.impactor[k] = between(response.time, response.position, t)
+        drawn.end[k] = between(response.time, response.bent, t)
     _fields(stiffness, duration, response, drawn)
     return SOLVED
