@@ -10,9 +10,11 @@ from html import escape
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ..choices.choices import SCENES, Choices
 from ..choices.scene_of import choices_of
-from ..messages.encoding import read_header
+from ..messages.encoding import arrays_of, read_header
 from ..messages.solve import solve_frame
 from ..page.lab import STATIC, spec_of_choices
 from ..page.picker import gallery
@@ -42,6 +44,8 @@ REMADE_BESIDE = ("modalForce", "otherMass", "otherEnd")  # of a rod, where modes
 REMADE_SPRING = (  # of one that bends as a spring
     *("otherMass", "otherEnd", "otherTime", "otherForce", "fieldStress", "fieldVelocity", "fieldDisplacement"),
 )
+AT_THE_DEEPEST = ("blowDepth", "touchRadius")  # that one pair tells how round the faces are
+REMADE_COMPACT = ("otherMass", "otherEnd", "otherTime", "otherForce")  # of two bodies that move as wholes
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
     "img-src data: blob:; media-src blob:; font-src data:; base-uri 'none'; form-action 'none'"
@@ -148,15 +152,22 @@ def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
     remade = REMADE[header["kind"]] + (REMADE_BESIDE if header.get("usualSteps") else ())
     if header.get("springCarries") is not None:
         remade += REMADE_SPRING
+    if header.get("compact"):
+        remade += REMADE_COMPACT
     if any(name == "touchFlow" for name, *_ in header["arrays"]):
         remade += FLOWING
-    arrays = []
+    known, arrays = arrays_of(message), []
+    remade += () if "touchRadius" in known else AT_THE_DEEPEST
+    deepest = int(np.argmax(known.get("touchRadius", 0.0)))
     for entry in header["arrays"]:
         name, shape, *unit = entry
         size = (2 if unit else 4) * math.prod(shape)
         size += -size % 4
         if name in remade:
             entry[1] = [0]
+        elif name in AT_THE_DEEPEST:
+            entry[1] = [1]
+            arrays.append(message[at + 2 * deepest : at + 2 * deepest + 2] + b"\0\0")
         else:
             arrays.append(message[at : at + size])
         at += size
