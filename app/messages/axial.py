@@ -39,7 +39,7 @@ from .encoding import (
     whole_numbers,
 )
 from .fall import fall_fields
-from .laws import carried_by_spring, laws_of_a_rod
+from .laws import followed
 from .parts import common
 from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_force
 from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
@@ -99,8 +99,7 @@ def axial_frame(request: Request) -> bytes:
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
         "rigid": scene.rigid_contact,
-        "laws": laws_of_a_rod(scene, request.chosen),
-        "springCarries": carried_by_spring(other),
+        **followed(scene, request.chosen, other),
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
         "yields": scene.contact.PLASTIC,

@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from solvers import LAWS, Modal, QuasiStatic, Rod, Scene, SceneError, Solution, Waves
-from solvers.bodies import RigidMass
-from solvers.contact import Rigid
+from solvers.bodies import RigidMass, Wall
+from solvers.contact import Hertz, Power, Rigid
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.damping import OF_KERNELS
 from solvers.contact.duration import exponent_of
@@ -19,8 +19,19 @@ from ..choices.kinds import own_options
 from ..choices.laws import DEPTH, STIFFNESS, contact_table, law_choices
 
 DAMPED = 0.5  # a restitution at which it shows how damping grows
+SINE = "hertz-sine"  # model of the quasi-static method
 STRUCTURAL = "structural"  # model of the quasi-static method; others whose names begin so leave a mass out
 SAME = 1e-9  # relative difference of constants that are the same but for rounding
+
+
+def followed(scene: Scene, chosen: Mapping[str, Any], other: Solution | None) -> dict[str, Any]:
+    """What a browser needs of an impact along an axis, and of the method beside it, to follow other choices."""
+    compact = laws_of_compact_bodies(scene, chosen, other)
+    return {
+        "laws": compact or laws_of_a_rod(scene, chosen),
+        "compact": {"sine": other is not None and other.method["model"] == SINE} if compact else None,
+        "springCarries": carried_by_spring(other),
+    }
 
 
 def laws_of_a_rod(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -36,6 +47,22 @@ def laws_of_a_rod(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any
     if chosen["method"] == QuasiStatic.NAME and "model" not in own_options(scene, QuasiStatic.NAME):
         return [law for law in found if not law["constants"]]  # by others the rod bends no more as a spring
     return found
+
+
+def laws_of_compact_bodies(scene: Scene, chosen: Mapping[str, Any], other: Solution | None) -> list[dict[str, Any]]:
+    """`law_fields` of a mass on one at rest or on a wall, by laws that have a closed form, in s, kg and the speed; none
+    for others, nor for a spring, whose contact takes a whole number of steps: rounding decides whether one more.
+    """
+    target, known = scene.target, own_options(scene, QuasiStatic.NAME).keys() <= {"model"}
+    if not isinstance(scene.impactor, RigidMass) or not isinstance(target, (RigidMass, Wall)) or target.velocity:
+        return []
+    if chosen["method"] != QuasiStatic.NAME or not known or other is None or "duration" in scene.method:
+        return []
+    closed = (Hertz.NAME,) if other.method["model"] == SINE else (Hertz.NAME, Power.NAME)
+    if scene.contact.NAME not in closed:
+        return []
+    found = law_fields(scene, chosen, Units(1.0, 1.0))
+    return [law for law in found if law["name"] in closed and law["exponent"] != 1.0]
 
 
 def carried_by_spring(other: Solution | None) -> float | None:
@@ -106,10 +133,11 @@ def _record(scene: Scene, law: Any, given: Mapping[str, Any], table: dict[str, A
         other = replace(impactor, velocity=target.velocity + times * scene.speed, mass=mass or impactor.mass)
         return _scaled(scene, kind.read(damped, other, target) if follows else law, times, units)
 
-    felt_with_half = target.mass / (2.0 if target.held else 3.0)
+    heavy = target.mass if math.isfinite(target.mass) else impactor.mass
+    felt_with_half = heavy / (2.0 if target.held else 3.0)
     record["constants"] = _scaled(scene, law, 1.0, units)
     record["bySpeed"] = _powers(constants(), constants(2.0))
-    record["byMass"] = _powers(constants(mass=felt_with_half), constants(mass=target.mass))
+    record["byMass"] = _powers(constants(mass=felt_with_half), constants(mass=heavy))
     set_by = _scaled(scene, kind.read(table, impactor, target), 1.0, units)
     if _alike(set_by, record["constants"]):
         other = table | ({"restitution": DAMPED} if "restitution" in table else {})

@@ -50,6 +50,7 @@ RECORDS: dict[str, Fields] = {
         "steps": Field("number", "", True),
         "initial_impulse": Field("number", "on a spring that carries a mass, of the first instant [N s]", True),
         "peak_root_force": Field("number", "on what holds it [N]", True),
+        "delivered_restitution": Field("number", "by a contact law", True),
         "pivot_moment": Field("number", "of a pendulum that bends [N m]", True),
         "contact_moment": Field("number", "", True),
     },

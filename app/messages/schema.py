@@ -70,6 +70,10 @@ AXIAL: Fields = {
     "match": Field("number | null", "restitution that would have matched"),
     "rigid": Field("boolean", "whether nothing gives way at the contact itself"),
     "laws": Field("LawRecord[]", "of a mass on a rod, that can be chosen: for kernels of the browser"),
+    "compact": Field(
+        "{ sine: boolean } | null",
+        "of two bodies that move as wholes, by a law and its closed form, or a half sine for it",
+    ),
     "springCarries": Field(
         "number | null", "share of its mass with the end of a rod that bends as a spring by the other method; else None"
     ),

@@ -44,6 +44,7 @@ export interface Diagnostics {
   steps?: number;
   /** on a spring that carries a mass, of the first instant [N s] */ initial_impulse?: number;
   /** on what holds it [N] */ peak_root_force?: number;
+  /** by a contact law */ delivered_restitution?: number;
   /** of a pendulum that bends [N m] */ pivot_moment?: number;
   contact_moment?: number;
 }
@@ -396,6 +397,7 @@ export interface AxialFrame extends Common {
   /** restitution that would have matched */ match: number | null;
   /** whether nothing gives way at the contact itself */ rigid: boolean;
   /** of a mass on a rod, that can be chosen: for kernels of the browser */ laws: LawRecord[];
+  /** of two bodies that move as wholes, by a law and its closed form, or a half sine for it */ compact: { sine: boolean } | null;
   /** share of its mass with the end of a rod that bends as a spring by the other method; else null */ springCarries: number | null;
   /** whether the contact law does */ damps: boolean;
   /** whether the contact law does */ yields: boolean;

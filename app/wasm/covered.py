@@ -6,6 +6,9 @@ The browser's own word on each answer is `covers` in `app/static/wasm/answers.js
 from collections.abc import Callable, Mapping
 
 from solvers import Beam, Modal, QuasiStatic, RigidMass, Rod, Scene, Waves, usual_method
+from solvers.bodies import Wall
+from solvers.contact import Hertz, Power
+from solvers.contact.duration import exponent_of
 
 
 def covered(scene: Scene) -> bool:
@@ -59,9 +62,19 @@ def _on_beam(scene: Scene) -> bool:
     return still and by_modes and method.keys() <= {"name", "modes", "residual", "duration"}
 
 
+def _compact(scene: Scene) -> bool:
+    """A mass on one at rest or on a wall, by a law with a closed form."""
+    target, method = scene.target, scene.method
+    if not _mass_strikes(scene) or not isinstance(target, (RigidMass, Wall)) or target.velocity:
+        return False
+    closed = method.get("name", usual_method(scene)) == QuasiStatic.NAME and method.keys() <= {"name", "model"}
+    return closed and isinstance(scene.contact, (Hertz, Power)) and exponent_of(scene.contact) != 1.0
+
+
 ANSWERED_BY: dict[str, Callable[[Scene], bool]] = {  # by entry, as in `entries.ENTRIES`
     "rod": lambda scene: scene.rigid_contact and _on_rod(scene),
     "law": lambda scene: not scene.rigid_contact and _on_rod(scene),
     "beam": _on_beam,
     "spring": _on_spring,
+    "compact": _compact,
 }

@@ -5,13 +5,14 @@
 
 from collections.abc import Sequence
 
+from .compact_entries import COMPACT_ENTRIES
 from .entry import KINDS
 from .modal_entries import MODAL_ENTRIES
 from .spring_entries import FEW, PLACES, SPRING_ENTRIES
 from .wave_entries import DASHPOTS, WAVE_ENTRIES
 
 ON_A_LINE = 80  # of letters of a list: longer ones have one for each of theirs
-ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES
+ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES | COMPACT_ENTRIES
 
 
 def room() -> str:

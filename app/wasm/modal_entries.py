@@ -22,7 +22,7 @@ AnyStepped = any_stepped(KINDS)
 
 
 @numba.njit
-def _march(modes, steps, checkpoints, histories, saved, saved_rates, oscillators, runs, slopes):
+def march_room(modes, steps, checkpoints, histories, saved, saved_rates, oscillators, runs, slopes):
     """Room for so many steps of so many oscillators."""
     n = steps + 1
     h, w = carray(histories, (10, n)), carray(oscillators, (10, modes))
@@ -63,7 +63,7 @@ def modes(
         frequencies[i], at_contact[i], damping[i] = 2.0 * frequencies[i], 2.0, 0.0
     period = 2.0 * np.pi / frequencies[n - 1]
     steps = steps_drawn(period, touching, duration)
-    room = _march(n, steps, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
+    room = march_room(n, steps, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
     c, step = carray(constants, (CONSTANTS + 1,)), duration / steps
     law, number, rigid = _law(c, compliance)
     spring = residual_spring(0.0 if rigid else compliance, step, period, JUMPING[number], REMEMBERS[number])
@@ -87,7 +87,7 @@ def beam(
     if n > BEAM_MODES:
         return NO_ROOM
     frequencies, at_contact, damping = carray(shapes, (3, n))
-    room = _march(n, BEAM_STEPS, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
+    room = march_room(n, BEAM_STEPS, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
     c, d = carray(constants, (CONSTANTS + 1,)), carray(drawn, (5, BEAM_INSTANTS))
     law, number, rigid = _law(c, compliance)
     path, curve = carray(cycle, (2, BEAM_CYCLE)), carray(law_cycle, (2, BEAM_DEPTHS))
@@ -122,14 +122,15 @@ FIGURES = {
 }
 
 
-def _room(modes: int, steps: int) -> dict[str, int]:
+def room_of(modes: int, steps: int, checkpoints: int = CHECKPOINTS) -> dict[str, int]:
+    """What a march works in, and its law."""
     return {
         "constants": CONSTANTS + 1,
         "shapes": 3 * modes,
         "oscillators": 10 * modes,
         "histories": 10 * (steps + 1),  # of which the first is the force over each step
-        "saved": CHECKPOINTS * modes,
-        "savedRates": CHECKPOINTS * modes,
+        "saved": checkpoints * modes,
+        "savedRates": checkpoints * modes,
         "runs": 2 * (steps // 2 + 1),
         "slopes": 2,
     }
@@ -140,7 +141,7 @@ MODAL_ENTRIES = {
         modes,
         5,
         {
-            **_room(MODES, STEPS),
+            **room_of(MODES, STEPS),
             "contacts": modal_drawn.CONTACT_COLUMNS * CONTACTS,
             "mass": INSTANTS,
             "end": INSTANTS,
@@ -153,7 +154,7 @@ MODAL_ENTRIES = {
         beam,
         8,
         {
-            **_room(BEAM_MODES, BEAM_STEPS),
+            **room_of(BEAM_MODES, BEAM_STEPS),
             "contacts": modal_drawn.CONTACT_COLUMNS * BEAM_CONTACTS,
             "drawn": 5 * BEAM_INSTANTS,
             "rates": 4 * LISTED,

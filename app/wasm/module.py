@@ -13,10 +13,18 @@ SOURCES = (
     "numerics/waves/law_drawn.py",
     "numerics/modal_drawn.py",
     "numerics/spring_drawn.py",
+    "numerics/compact_drawn.py",
     "numerics/rods.py",
     "contact/__init__.py",
 )  # of the library: with all that they import
-ENTRIES = ("entry.py", "wave_entries.py", "modal_entries.py", "spring_entries.py", "entries.py")  # beside this
+ENTRIES = (
+    "entry.py",
+    "wave_entries.py",
+    "modal_entries.py",
+    "spring_entries.py",
+    "compact_entries.py",
+    "entries.py",
+)  # beside this
 SECTION = b"\x0bfingerprint"  # in which the module names the sources that it was made of
 
 

@@ -2,20 +2,30 @@
 // page stands; where it cannot be, the server answers alone.
 import { kernelsOf } from './kernels.js';
 import * as beams from './bending.js';
+import * as compacts from './compact.js';
 import * as rods from './rod.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
 
 /**
+ * @typedef {{ follows: (frame: any, name: string) => boolean, is: (frame: any) => boolean,
+ *   made: (kernels: Kernels, frame: any, chosen: Chosen) => Frame | null }} Kind
+ */
+/**
  * Which choices are followed from which answers of the server, and how, by the kind of message.
- * @type {Record<string, { follows: (frame: any, name: string) => boolean, is: (frame: any) => boolean,
- *   made: (kernels: Kernels, frame: any, chosen: Chosen) => Frame | null }>}
+ * @type {Record<string, Kind[]>}
  */
 const KINDS = {
-  axial: { follows: rods.follows, is: rods.isRod, made: rods.rodWith },
-  beam: { follows: beams.follows, is: beams.isBent, made: beams.beamWith },
+  axial: [
+    { follows: rods.follows, is: rods.isRod, made: rods.rodWith },
+    { follows: compacts.follows, is: compacts.isCompact, made: compacts.compactWith },
+  ],
+  beam: [{ follows: beams.follows, is: beams.isBent, made: beams.beamWith }],
 };
+
+/** @param {Frame} frame */
+const kindOf = (frame) => KINDS[frame.kind]?.find(({ is }) => is(frame));
 
 class Answers {
   /** @param {Kernels} kernels */
@@ -28,8 +38,8 @@ class Answers {
    * @param {string[]} changed
    */
   covers(frame, changed) {
-    const kind = KINDS[frame.kind];
-    return Boolean(kind) && kind.is(frame) && changed.every((name) => kind.follows(frame, name));
+    const kind = kindOf(frame);
+    return Boolean(kind) && changed.every((name) => kind?.follows(frame, name));
   }
   /**
    * @param {Frame} frame  of the server, which it covers
@@ -37,7 +47,7 @@ class Answers {
    * @returns {Frame | null}
    */
   answer(frame, chosen) {
-    return KINDS[frame.kind]?.made(this.kernels, frame, chosen) ?? null;
+    return kindOf(frame)?.made(this.kernels, frame, chosen) ?? null;
   }
 }
 

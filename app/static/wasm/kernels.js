@@ -256,6 +256,43 @@ export class Kernels {
     };
   }
   /**
+   * A mass on another at rest, or on one that is held, marched through a law and by the closed form of it.
+   * @param {number} mass
+   * @param {number} whole  of the other, or infinity
+   * @param {LawRecord} law  in s, kg and the speed
+   * @param {boolean} sine  whether by the half sine
+   */
+  compact(mass, whole, law, sine) {
+    if (!this.#room('compact')) return null;
+    this.#give('compact', law);
+    const called = this.#call('compact', mass, whole, law.exponent, Number(sine));
+    if (!called) return null;
+    const { figures, read } = called;
+    const { contacts, deepest, depth, end, gone, left, parted, peak, pushed, steps, trip } = figures;
+    const [depths, presses] = halvesOf(read, 'cycle', ROOM.compact.cycle);
+    const [loading, unloading] = halvesOf(read, 'lawCycle', ROOM.compact.lawCycle);
+    const { apart, compressing, dissipated, final, highest, impulse, local, target, touches } = figures;
+    const rows = rowsOf(CONTACT.modes, contacts, read).map(([start, until, push, most, after]) => {
+      return { start, end: until, push, after, peak: most };
+    });
+    return {
+      exact: {
+        ...{ apart, compressing, dissipated, final, highest, impulse, local, steps, target, touches },
+        ...{ contacts: rows, cycle: { deepest, dent: 0 } },
+      },
+      other: {
+        ...{ apart: parted, compressing, dissipated: 0, final: left, impulse: pushed, local: 0 },
+        ...{ contacts: [{ start: 0, end, push: pushed, after: left, peak }], cycle: { deepest: depth, dent: 0 } },
+        target: gone,
+      },
+      ...{ impactor: read('impactor'), face: read('face'), otherImpactor: read('otherImpactor') },
+      ...{ otherFace: read('otherFace'), otherTime: read('otherTime'), otherForce: read('otherForce') },
+      ...{ forceTime: read('forceTime', 2 * steps), force: read('force', 2 * steps) },
+      cycle: { deepest: deepest * trip, dent: 0, depths, presses, loading, unloading },
+      ...{ duration: figures.duration, trip },
+    };
+  }
+  /**
    * A mass across what bends, by the modes of that.
    * @param {Struck} struck
    * @param {Pick<LawRecord, 'name' | 'constants'>} law  in s, kg and the speed; rigid without constants
@@ -276,12 +313,8 @@ export class Kernels {
     const histories = /** @type {Record<typeof HISTORIES[number], Float64Array>} */ (
       Object.fromEntries(HISTORIES.map((name, k) => [name, drawn.subarray(k * size, (k + 1) * size)]))
     );
-    const halves = (/** @type {string} */ name, /** @type {number} */ both) => {
-      const found = read(name);
-      return [found.subarray(0, both / 2), found.subarray(both / 2)];
-    };
-    const [depths, presses] = halves('cycle', ROOM.beam.cycle);
-    const [loading, unloading] = halves('lawCycle', ROOM.beam.lawCycle);
+    const [depths, presses] = halvesOf(read, 'cycle', ROOM.beam.cycle);
+    const [loading, unloading] = halvesOf(read, 'lawCycle', ROOM.beam.lawCycle);
     return {
       ...{ ...marched(figures, read), ...histories, step, steps, duration: figures.duration },
       half: half > 0 ? half : null,
@@ -292,7 +325,7 @@ export class Kernels {
   }
   /**
    * Write a contact law for a march.
-   * @param {'modes' | 'beam'} kernel
+   * @param {'modes' | 'beam' | 'compact'} kernel
    * @param {Pick<LawRecord, 'name' | 'constants'>} law
    */
   #give(kernel, { name, constants }) {
@@ -317,6 +350,17 @@ function marched(figures, read) {
     ...{ apart, compressing, contacts, deepest, dent, dissipated, energy, final },
     ...{ highest, impulse, local, target, touches, window },
   };
+}
+
+/**
+ * Two arrays that stand behind each other.
+ * @param {(array: string) => Float64Array} read
+ * @param {string} name
+ * @param {number} both  numbers of both
+ */
+function halvesOf(read, name, both) {
+  const found = read(name);
+  return [found.subarray(0, both / 2), found.subarray(both / 2)];
 }
 
 /**

@@ -113,7 +113,7 @@ const same = (from, chosen, law) =>
  * @param {boolean} held
  * @param {number} restitution
  */
-function predicted(beta, held, restitution) {
+export function predicted(beta, held, restitution) {
   const share = held ? 1 : beta / (1 + beta);
   const common = held ? 0 : 1 / (1 + beta);
   const impactor = 1 - share * (1 + restitution);

@@ -57,7 +57,16 @@ function spring([beta, carried, duration]) {
   return Object.fromEntries(lists);
 }
 
+function compact([mass, whole, pressed, sine]) {
+  const impact = found.compact(mass, whole ?? Infinity, pressed, sine);
+  if (!impact) return {};
+  const lists = Object.entries(impact).map(([each, value]) => [each, value.length ? [...value] : value]);
+  const { cycle } = impact;
+  const path = Object.fromEntries(Object.entries(cycle).map(([each, v]) => [each, v.length ? [...v] : v]));
+  return { ...Object.fromEntries(lists), cycle: path };
+}
+
 const given = JSON.parse(readFileSync(0, 'utf8'));
-const each = { rod, law, modes, beam, spring };
+const each = { rod, law, modes, beam, spring, compact };
 const answers = Object.entries(each).map(([name, one]) => [name, (given[name] ?? []).map(one)]);
 console.log(JSON.stringify(Object.fromEntries(answers)));

@@ -1,0 +1,104 @@
+"""Two compact bodies, marched through a contact law and by the closed form of it, for the browser."""
+
+import numba
+from numba import carray
+
+from solvers.contact.duration import half_swing
+from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
+from solvers.numerics import compact_drawn, modal_drawn
+from solvers.numerics.closed_collisions import Collision
+from solvers.numerics.law_functions import CONSTANTS
+from solvers.numerics.single_degree import SAMPLES
+from solvers.numerics.waves.laws import FORCE
+
+from .entry import ANY_LAW, CYCLE, DEPTHS, INSTANTS, INTEGERS, JUMPING, REMEMBERS, Entry
+from .modal_entries import AnyStepped, march_room, room_of
+
+CONTACTS, STEPS = 4, 2_000
+COURSE = SAMPLES + 3  # instants of the closed form, one at the very end
+
+
+@numba.njit
+def _force(depth, constants, slopes):
+    return ANY_LAW(FORCE, constants, depth, 0.0, 0.0, slopes)
+
+
+def compact(
+    mass, whole, exponent, sine, constants, shapes, oscillators, histories, saved, saved_rates, runs, slopes, contacts,
+    impactor, face, force_time, force, other_impactor, other_face, other_time, other_force, course, cycle, law_cycle,
+    figures, out,
+):  # fmt: skip
+    """`solvers.numerics.compact_drawn.answer`: of both masses, in s, kg and v; sine: whether by the half sine, or 0."""
+    room = march_room(1, STEPS, 2, histories, saved, saved_rates, oscillators, runs, slopes)
+    c, s, h = carray(constants, (CONSTANTS + 1,)), carray(shapes, (3, 1)), carray(course, (8, COURSE))
+    n, number = COURSE - 2, int(c[CONSTANTS])
+    path, curve = carray(cycle, (2, CYCLE)), carray(law_cycle, (2, DEPTHS))
+    reduced = 1.0 / (1.0 / mass + 1.0 / whole)
+    trip = half_swing(_force, (c, room.slopes), reduced, 1.0)
+    drawn = compact_drawn.Drawn(
+        carray(impactor, (INSTANTS,)), carray(face, (INSTANTS,)), carray(force_time, (2 * STEPS,)),
+        carray(force, (2 * STEPS,)), carray(other_impactor, (INSTANTS,)), carray(other_face, (INSTANTS,)),
+        carray(other_time, (COURSE - 1,)), carray(other_force, (COURSE - 1,)), h[7][: COURSE - 1],
+    )  # fmt: skip
+    nothing = path[0][:0]
+    bent = modal_drawn.Bent(
+        nothing, nothing, nothing, nothing, nothing, carray(shapes, (0, 4)), nothing, path[0], path[1], curve[0],
+        curve[1],
+    )  # fmt: skip
+    followed = Collision(h[0][:n], h[1][:n], h[2][:n], h[3][:n], h[4][:n], h[5][:n], h[6][:n])
+    return compact_drawn.answer(
+        AnyStepped(number, c[0], c[1], c[2], c[3], c[4], c[5]), ANY_LAW, c, (exponent, c[0], sine > 0.0),
+        (mass, whole), trip, (JUMPING[number], REMEMBERS[number]), (MAX_ROUND_TRIPS, AFTERGLOW), (s[0], s[1], s[2]),
+        room, carray(contacts, (CONTACTS, modal_drawn.CONTACT_COLUMNS)), bent, followed, drawn,
+        carray(figures, (modal_drawn.COLUMNS,)), carray(out, (compact_drawn.COLUMNS,)),
+    )  # fmt: skip
+
+
+COMPACT_ENTRIES = {
+    "compact": Entry(
+        compact,
+        4,
+        {
+            **room_of(1, STEPS, 2),
+            "contacts": modal_drawn.CONTACT_COLUMNS * CONTACTS,
+            "impactor": INSTANTS,
+            "face": INSTANTS,
+            "forceTime": 2 * STEPS,
+            "force": 2 * STEPS,
+            "otherImpactor": INSTANTS,
+            "otherFace": INSTANTS,
+            "otherTime": COURSE - 1,
+            "otherForce": COURSE - 1,
+            "course": 8 * COURSE,
+            "cycle": 2 * CYCLE,
+            "lawCycle": 2 * DEPTHS,
+            "figures": modal_drawn.COLUMNS,
+            "out": compact_drawn.COLUMNS,
+        },
+        {"runs": INTEGERS},
+        {
+            "trip": compact_drawn.TRIP,
+            "duration": compact_drawn.DURATION,
+            "steps": compact_drawn.STEPS,
+            "impulse": compact_drawn.IMPULSE,
+            "final": compact_drawn.FINAL,
+            "target": compact_drawn.TARGET,
+            "apart": compact_drawn.APART,
+            "compressing": compact_drawn.COMPRESSING,
+            "local": compact_drawn.LOCAL,
+            "dissipated": compact_drawn.DISSIPATED,
+            "deepest": compact_drawn.DEEPEST,
+            "contacts": compact_drawn.CONTACTS,
+            "touches": compact_drawn.TOUCHES,
+            "highest": compact_drawn.HIGHEST,
+            "pushed": compact_drawn.PUSHED,
+            "left": compact_drawn.LEFT,
+            "gone": compact_drawn.GONE,
+            "parted": compact_drawn.PARTED,
+            "held": compact_drawn.HELD,
+            "depth": compact_drawn.DEPTH,
+            "end": compact_drawn.END,
+            "peak": compact_drawn.PEAK,
+        },
+    ),
+}

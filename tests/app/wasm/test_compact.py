@@ -1,0 +1,86 @@
+"""Two bodies that move as wholes, by the module: equal to what the library says of them."""
+
+import json
+import math
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.wasm.entry import INSTANTS
+from app.wasm.module import MODULE
+from solvers import Modal, QuasiStatic, Scene
+from solvers.contact.duration import exponent_of
+from solvers.scenes.library import scene_of
+
+HERE = Path(__file__).parent
+IMPACTS = 120
+CLOSE = 1e-11
+LAWS = [
+    {"law": "hertz", "stiffness": 1e10},
+    {"law": "power", "stiffness": 1e9, "exponent": 1.3},
+    {"law": "power", "stiffness": 1e11, "exponent": 2.4},
+]
+
+
+def random_impacts() -> list[tuple[Scene, bool]]:
+    """Of a mass on a mass or a wall, and whether by the half sine."""
+    random, found = np.random.default_rng(11), []
+    for _ in range(IMPACTS):
+        law = dict(LAWS[int(random.integers(len(LAWS)))])
+        law["stiffness"] *= float(10.0 ** random.uniform(-1.0, 1.0))
+        scene = scene_of(str(random.choice(["two-balls", "figure-3.8"]))).replace({"contact": law})
+        scene = scene.replace({"impactor.velocity": float(10.0 ** random.uniform(-1.0, 1.0))})
+        scene = scene.with_impactor_mass(scene.impactor.mass * float(10.0 ** random.uniform(-1.5, 1.5)))
+        found.append((scene, law["law"] == "hertz" and random.uniform() < 0.3))
+    return found
+
+
+@pytest.mark.browser  # needs Node
+def test_a_browser_finds_what_the_library_says():
+    impacts, given = random_impacts(), []
+    for scene, sine in impacts:
+        law = {"name": scene.contact.NAME, "exponent": exponent_of(scene.contact)}
+        law["constants"] = list(scene.contact.scaled(scene.speed, scene.speed, scene.speed))
+        whole = scene.target.mass if math.isfinite(scene.target.mass) else None
+        given.append([scene.impactor.mass, whole, law, sine])
+    command = ["node", HERE / "answers.mjs", MODULE, MODULE.with_name("kernels.js")]
+    done = subprocess.run(command, input=json.dumps({"compact": given}), capture_output=True, text=True, check=True)
+    for (scene, sine), here in zip(impacts, json.loads(done.stdout)["compact"], strict=True):
+        marched = Modal(modes=1).solve(scene)
+        closed = QuasiStatic(model="hertz-sine" if sine else "local").solve(scene, marched.duration)
+        _equal(scene, marched, here, here["exact"], ("impactor", "face"))
+        _equal(scene, closed, here, here["other"], ("otherImpactor", "otherFace"))
+        force = scene.reduced_mass * scene.speed / scene.time_unit
+        raw = np.array(here["otherTime"]) * scene.time_unit
+        known = closed.known_motion.force(raw)
+        assert np.array(here["otherForce"]) * force == pytest.approx(known, abs=1e-9 * known.max())
+        steps = marched.known_motion.record.contact_force
+        assert np.array(here["force"])[::2] * force == pytest.approx(steps, abs=1e-9 * steps.max())
+        assert here["exact"]["steps"] == steps.size and here["exact"]["touches"] == len(marched.contacts)
+
+
+def _equal(scene: Scene, solution, here: dict, figures: dict, paths: tuple[str, str]) -> None:
+    trip, speed, reduced = scene.time_unit, scene.speed, scene.reduced_mass
+    (contact,), rebounds, force = solution.contacts, solution.restitution, reduced * speed / trip
+    assert here["trip"] == pytest.approx(trip, rel=CLOSE)
+    assert here["duration"] == pytest.approx(solution.duration / trip, rel=CLOSE)
+    known = {
+        "impulse": solution.impulse / force / trip,
+        "final": solution.impactor_velocity / speed,
+        "target": solution.target_velocity / speed,
+        "apart": rebounds["newton_at_contact"],
+        "local": solution.energy["local"] / (reduced * speed**2),
+        "dissipated": solution.energy["dissipated"] / (reduced * speed**2),
+    }
+    assert {name: figures[name] for name in known} == pytest.approx(known, rel=CLOSE, abs=CLOSE), scene.table()
+    assert figures["cycle"]["deepest"] == pytest.approx(solution.peak_indentation / (speed * trip), rel=CLOSE)
+    assert figures["impulse"] / figures["compressing"] - 1.0 == pytest.approx(rebounds["poisson"], abs=CLOSE)
+    listed = {"start": 0.0, "end": contact.end / trip, "push": contact.impulse / force / trip}
+    listed |= {"peak": contact.peak_force / force}
+    (row,) = figures["contacts"]
+    assert {name: row[name] for name in listed} == pytest.approx(listed, rel=1e-10), scene.table()
+    even, motion = np.linspace(0.0, solution.duration, INSTANTS), solution.known_motion
+    for name, path in zip(paths, (motion.impactor_position(even), motion.end_position(even)), strict=True):
+        assert np.array(here[name]) * speed * trip == pytest.approx(path, abs=1e-10 * speed * trip), name
