@@ -10,7 +10,8 @@ from solvers import Modal, RigidImpulse, Scene
 from solvers.contact import LAWS
 from solvers.methods.mechanisms import freezing_error
 from solvers.methods.multibody.method import Multibody
-from solvers.numerics.collisions import deepest_of_power, duration_of_power
+from solvers.numerics.closed_collisions import deepest_of_power
+from solvers.numerics.collisions import duration_of_power
 from tests.catalog import SCENES
 from tests.solvers.bodies.linkage.mechanisms import four_bar, rotating_bar
 
