@@ -62,7 +62,8 @@ export class Analyses {
       if (Kind.beside) this.beside.add(view);
       Object.assign(this, { [name]: view }); // for tests and benches
     }
-    this.menu.append(...this.all.map(({ button }) => button));
+    const about = make('p', { className: 'help', textContent: text('panel.about') });
+    this.menu.append(about, ...this.all.map(({ button }) => button));
     for (const view of this.all) {
       framed(view, { widen: () => this.#widen(view), close: () => this.#close(view) });
       view.button.onclick = () => (view.open && this.#top(view) ? this.#close(view) : this.open(view));
