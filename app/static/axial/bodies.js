@@ -98,6 +98,22 @@ export function striker(c, { impactor }, place, prediction) {
 }
 
 /**
+ * Signs of the masses whose ratio a slider has.
+ * @param {Context} c
+ * @param {[x: number, y: number]} middle  of the striker
+ * @param {[x: number, y: number]} corner  at the lower right of what is struck
+ */
+export function masses(c, [x, y], [right, bottom]) {
+  c.font = letters(15, '600 ');
+  c.fillStyle = '#fff';
+  c.textAlign = 'center';
+  c.fillText('m₁', x, y + 5);
+  c.fillStyle = COLORS.ink;
+  c.textAlign = 'right';
+  c.fillText('m₂', right - 8, bottom - 8);
+}
+
+/**
  * The axis about which a rod turns, and which way.
  * @param {Context} c
  * @param {number} x

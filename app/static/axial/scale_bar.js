@@ -16,7 +16,7 @@ import { localised } from '../text/format.js';
  */
 export function scaleBar(c, { frame, largest: end, what }, width, height) {
   const bar = Math.min(150 * zoom, 0.42 * width); // as long as the words of its ends
-  const x = width - bar - 16;
+  const x = width - bar - (frame.target.held ? 44 : 16); // beside a wall
   const y = height - 8 - 16 * zoom;
   const unit = what === 'stress' ? frame.stressUnit / 1e6 : frame.speed;
   const largest = end * unit;

@@ -7,7 +7,7 @@ import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { RigidField } from './fields.js';
-import { axis, endMass, onward, push, runs, specimen, striker, struckBody, wall } from './bodies.js';
+import { axis, endMass, masses, onward, push, runs, specimen, striker, struckBody, wall } from './bodies.js';
 import { cradle, swing } from './cradle.js';
 import { scaleBar } from './scale_bar.js';
 import { placing, seamIn } from './traces.js';
@@ -30,6 +30,7 @@ const LEAST_ROOM = 12; // pixels in which anything can move
 const HUNG = 0.68; // of its height: where a pendulum strikes, so that it is seen
 const LEADS = { left: 0.3, bends: 0.44, thick: [0.42, 132], gap: 0.075 }; // shares and pixels, where the picture leads
 const FACE = 0.45; // of the picture: where a body without length is struck
+const SIGNED = 30; // pixels of a body that has room for a sign
 const ROW = { struck: 0.34, leads: 0.44, most: 0.5 }; // of it: where a row of balls is struck; what it takes at most
 
 export class Stage {
@@ -188,6 +189,7 @@ export class Stage {
       if (contact) this.#touch(c, meet ?? own, middle, size);
       const drawn = { x: own - size / 2, y: middle, width: size, height: size };
       this.striker?.draw(c, { ...drawn, way: [1, 0], sized: frame.target.shape !== 'ball' });
+      if (this.leads && rods.length === 1 && size > SIGNED) masses(c, [drawn.x, middle], [right, middle + thick / 2]);
     }
     if (rods.length === 1 && rods[0].mirror && !(field instanceof RigidField))
       this.front(c, t, left, right - left, middle - thick / 2);
