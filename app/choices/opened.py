@@ -146,11 +146,11 @@ def _trial(number: int, given: object) -> Trial:
 
 def _chosen(key: str, name: str, value: object) -> Any:
     if not accepts(name, value):
-        raise SceneError(key, value, _possible(Choices.param[name]))
+        raise SceneError(key, value, possible(Choices.param[name]))
     return value
 
 
-def _possible(parameter: Any) -> Note:
+def possible(parameter: Any) -> Note:
     """What a choice, by its parameter, may be."""
     if isinstance(parameter, param.Selector):
         return allowed("choice", options=list(parameter.objects))

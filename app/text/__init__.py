@@ -1,1 +1,1 @@
-"""The words of page and command: one folder a language, in it a folder for each of the two."""
+"""The words of page, command and lesson files: one folder a language, in it a folder for each of them."""

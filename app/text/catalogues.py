@@ -1,4 +1,4 @@
-"""The catalogues of page and command, and the page's as the browser takes it."""
+"""The catalogues of page, command and lesson files, and the page's as the browser takes it."""
 
 import json
 from functools import cache
@@ -21,6 +21,12 @@ def page(language: str) -> Catalogue:
 def command(language: str) -> Catalogue:
     """All that the command says; things are named as scene files name them."""
     return Catalogue(language, ((OWN, ""), (HERE, "command")))
+
+
+@cache
+def lessons(language: str) -> Catalogue:
+    """All that is said of lesson files; the page has no use for it, and is not sent it."""
+    return Catalogue(language, ((OWN, ""), (HERE, "lessons")))
 
 
 @cache

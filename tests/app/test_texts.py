@@ -128,7 +128,7 @@ def test_values_get_the_prefix_that_suits_them(value, unit, shown):
     assert engineering(value, unit) == shown
 
 
-TALKING = ("command", "page", "views", "choices", "serving", "jobs")  # folders with something to say
+TALKING = ("command", "page", "views", "choices", "lessons", "serving", "jobs")  # folders with something to say
 TWO_WORDS = re.compile(r"[A-Za-z]{2,}[,.;:]? \(?[A-Za-z]{2,}")
 FOR_MACHINES = re.compile(
     r"^(not allowed|too many messages|not compiled|public, max-age.*|[a-z-]+-src '.*|"

@@ -1,0 +1,1 @@
+"""Lessons: a course in one page, read from plain files and checked."""

@@ -1,0 +1,155 @@
+"""Whether a lesson holds in its scenes: events happen, goals are met where it says so. Each scene is solved."""
+
+import math
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import param
+
+import solvers
+from solvers import SceneError, Solution
+
+from ..choices.choices import Choices
+from ..choices.scene_of import chosen_scene, own_choices
+from .events import times_of
+from .lesson import Goal, Lesson, Order, Part, Set, Sketch, Step
+from .problems import LessonError, Problem, Problems
+from .reading import Read, read_in_full
+
+PLACES = 9  # of a range, at which a goal is tried
+PLACES_ANYWHERE = 41
+WIDE = 10.0  # from this ratio of its ends on, places of a range are spaced by a constant factor
+
+
+class Checked(NamedTuple):
+    """`lesson`: None where it cannot be read; `missing`: sentences that a translation has from its original."""
+
+    lesson: Lesson | None
+    problems: tuple[Problem, ...]
+    missing: tuple[str, ...] = ()
+
+
+def check(path: Path) -> Checked:
+    """All that is wrong with a lesson file, by line."""
+    try:
+        found = read_in_full(path)
+    except LessonError as error:
+        return Checked(None, error.problems)
+    problems = _Check(found).problems
+    return Checked(found.lesson, tuple(sorted(problems, key=lambda each: each.line)), found.lesson.missing)
+
+
+def solved(step: Step, **changes: Any) -> Solution:
+    """The impact that a step shows, with other `changes` of its choices. Raises ValueError."""
+    return solvers.solve(chosen_scene(own_choices(step.scene) | step.choices | changes))
+
+
+def meets(solution: Solution, goal: Goal) -> bool:
+    """Whether an impact meets a goal."""
+    values: dict[str, Any] = {
+        "contacts": len(solution.contacts),
+        "peak_force": solution.peak_force,
+        "impulse": solution.impulse,
+        "restitution": solution.restitution.get("newton"),
+        "contact_time": solution.contact_time,
+        "impactor_velocity": solution.table()["impactor"]["final_velocity"],
+        "target_velocity": solution.table()["target"]["final_velocity"],
+    }
+    value = values[goal.quantity]
+    if value is None:
+        return False
+    return {"=": value == goal.value, "<": value < goal.value, ">": value > goal.value}[goal.relation]
+
+
+class _Check:
+    """Of one lesson; steps that show the same are solved once."""
+
+    def __init__(self, read: Read):
+        self.problems = Problems()
+        self.known: dict[str, Solution | None] = {}
+        for number, step in enumerate(read.lesson.steps):
+            solution = self._solved(step)
+            if solution is None:
+                continue
+            times = times_of(solution)
+            for use in read.uses:
+                if use.step == number and use.event not in times:
+                    names = [name for name in times if name != "second" and name[-1] not in "3456789"]
+                    self.problems.add(use.line, "event-missing", key=use.key, value=use.event, names=names)
+            for part in step.parts:
+                self._spans(part, times)
+                if isinstance(part, Order):
+                    self._order(part, times)
+                if isinstance(part, Set):
+                    self._goal(part, step)
+
+    def _solved(self, step: Step) -> Solution | None:
+        shown = repr((step.scene, sorted(step.choices.items())))
+        if shown not in self.known:
+            self.known[shown] = None
+            try:
+                self.known[shown] = solved(step)
+            except ValueError as error:
+                code = "scene-unsolved" if isinstance(error, SceneError) else "scene-refused"
+                self.problems.add(step.line, code, why=" ".join(str(error).split())[:300])
+        return self.known[shown]
+
+    def _spans(self, part: Part, times: dict[str, float]) -> None:
+        """Those of events end behind where they begin."""
+        spans = [(part.line, "play", getattr(part, "play", None))]
+        judges = part.judges if isinstance(part, Sketch) else ()
+        spans += [(each.line, each.criterion, each.at) for each in judges if isinstance(each.at, tuple)]
+        for line, key, span in spans:
+            first, last = (_time(each, times) for each in span or (0.0, 1.0))
+            if first >= last:
+                self.problems.add(line, "span-falls", key=key)
+
+    def _order(self, part: Order, times: dict[str, float]) -> None:
+        last = -math.inf
+        for number, item in enumerate(part.items, 1):
+            now = math.nan if item.at is None else _time(item.at, times)
+            if now <= last:
+                self.problems.add(item.line, "times-fall", key=f"item[{number}].at", value=item.at)
+            last = last if math.isnan(now) else now
+
+    def _goal(self, part: Set, step: Step) -> None:
+        """Met in each range, at least somewhere, and not from the beginning."""
+        about = {"slider": part.slider, "goal": str(part.goal)}
+        if self._met(part, step, [part.start]):
+            self.problems.add(part.lines["start"], "goal-met", place=part.start, **about)
+        for number, each in enumerate(part.found, 1):
+            if each.range is None:
+                continue
+            for place in _places(each.range, PLACES):
+                if not self._met(part, step, [place]):
+                    self.problems.add(each.line, "goal-unmet", key=f"found[{number}].range", place=place, **about)
+                    break
+        anywhere = _places(part.range, PLACES_ANYWHERE)
+        ends = [end for each in part.found for end in each.range or ()]
+        if not self._met(part, step, [*ends, *anywhere]):
+            low, high = part.range
+            self.problems.add(part.lines["goal"], "goal-unreached", low=low, high=high, **about)
+
+    def _met(self, part: Set, step: Step, places: Iterable[float]) -> bool:
+        """At one of the places; where there is no solution it is not met."""
+        for place in places:
+            value = round(place) if isinstance(Choices.param[part.slider], param.Integer) else place
+            try:
+                if meets(solved(step, **{part.slider: value}), part.goal):
+                    return True
+            except ValueError:
+                continue
+        return False
+
+
+def _time(given: float | str, times: dict[str, float]) -> float:
+    """In T; NaN of what does not happen, which is refused by itself."""
+    return times.get(given, math.nan) if isinstance(given, str) else given
+
+
+def _places(span: tuple[float, float], count: int) -> list[float]:
+    low, high = span
+    spaced = np.geomspace if low > 0.0 and high > WIDE * low else np.linspace
+    return spaced(low, high, count).clip(low, high).tolist()

@@ -1,0 +1,141 @@
+"""The questions of lessons, each from the table of its fence."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from solvers import SceneError
+from solvers.validation import choice, number
+
+from .fields import LARGEST, Fields, numbers
+from .lesson import Choice, Found, Goal, Item, Mistake, Number, Option, Order, Part, Set
+from .problems import wanted
+from .stage import Stage, bounds_of, value_for
+from .units import UNITS, alike
+
+QUANTITIES = (  # of goals; SI units, velocities those behind the impact
+    *("contacts", "peak_force", "impulse", "restitution", "contact_time"),
+    *("impactor_velocity", "target_velocity"),
+)
+RELATIONS = ("=", "<", ">")
+GAPS_OF_SET = ("start", "end", "peak")
+GAPS_OF_ORDER = ("right", "all")
+MOST = 8  # options, mistakes
+
+
+def read_choice(fields: Fields, stage: Stage, name: str, line: int) -> Part:
+    """One right option at least."""
+    tables = fields.tables("option", 2, MOST)
+    options = []
+    for each in tables:
+        options.append(Option(text=each.said("text"), say=each.said("say"), right=each.flag("right")))
+        each.close()
+    if tables and not any(each.right for each in options):
+        fields.reading.problems.add(line, "no-right")
+    return Choice(name=name, line=line, options=tuple(options))
+
+
+def read_number(fields: Fields, stage: Stage, name: str, line: int) -> Part:
+    """An answer with its unit, and usual mistakes."""
+    answer = fields.number("answer", -LARGEST, LARGEST)
+    known = [unit for units in UNITS for unit in units]
+    unit = fields.tried("unit", lambda key, value: _unit(key, value, known), "1", True)
+    units = fields.names("units", alike(unit)) or (unit,)
+    tolerance = fields.tried("within", lambda key, value: _tolerance(key, value, answer), 0.0, True)
+    yes, no = fields.said("yes"), fields.said("no")
+    mistakes = tuple(_mistake(each) for each in fields.tables("mistake", 0, MOST))
+    factors = tuple(alike(unit).get(each, 1.0) for each in units)
+    return Number(
+        name=name, line=line, answer=answer, unit=unit, tolerance=tolerance, units=units, factors=factors,
+        yes=yes, no=no, mistakes=mistakes,
+    )  # fmt: skip
+
+
+def _unit(key: str, value: Any, known: list[str]) -> str:
+    if not isinstance(value, str) or value not in known:
+        raise SceneError(key, value, wanted("unit", names=known))
+    return value
+
+
+def _tolerance(key: str, value: Any, answer: float) -> float:
+    """In the unit of the answer."""
+    if not isinstance(value, str):
+        return number(key, value, 0.0, LARGEST)
+    share = value.removesuffix("%").strip()
+    try:
+        part = float(share) if value.endswith("%") else math.nan
+    except ValueError:
+        part = math.nan
+    if not 0.0 < part <= 100.0:
+        raise SceneError(key, value, wanted("part"))
+    return 0.01 * part * abs(answer)
+
+
+def _mistake(fields: Fields) -> Mistake:
+    given = [each for each in ("answer", "numbers", "power-of-ten") if each in fields.given]
+    if len(given) != 1:
+        fields.problem("say", "mistake-of", value=", ".join(given) or "nothing")
+    answer = fields.number("answer", -LARGEST, LARGEST) if "answer" in given else None
+    digits = fields.tried("numbers", _numbers, (), False)
+    found = Mistake(say=fields.said("say"), answer=answer, numbers=digits, power_of_ten=fields.flag("power-of-ten"))
+    fields.close()
+    return found
+
+
+def _numbers(key: str, value: Any) -> tuple[float, ...]:
+    found = numbers(value)
+    if not found:
+        raise SceneError(key, value, wanted("numbers"))
+    return found
+
+
+def read_order(fields: Fields, stage: Stage, name: str, line: int) -> Part:
+    """Items in their right order."""
+    yes, no = fields.said("yes", GAPS_OF_ORDER), fields.said("no", GAPS_OF_ORDER)
+    items, last = [], -math.inf
+    for each in fields.tables("item", 2, 12):
+        items.append(Item(text=each.said("text"), at=each.time("at"), line=each.line("at")))
+        now = items[-1].at
+        if isinstance(now, float):
+            if now <= last:
+                each.problem("at", "times-fall", value=now)
+            last = now
+        each.close()
+    return Order(name=name, line=line, items=tuple(items), yes=yes, no=no)
+
+
+def read_set(fields: Fields, stage: Stage, name: str, line: int) -> Part:
+    """A slider from `start` on, and what is said where the goal is met."""
+    slider = stage.slider(fields, "slider")
+    low, high = bounds_of(slider) if slider else (-LARGEST, LARGEST)
+    span = fields.interval("range", low, high) or (low, high)
+    start = value_for(fields, "start", slider) if slider else fields.number("start")
+    if slider:
+        stage.changes[slider] = start
+    goal = fields.tried("goal", _goal, Goal("contacts", "=", 1.0), True)
+    not_yet, more = fields.said("not-yet", GAPS_OF_SET), fields.sentence("more", must=False)
+    whole, found = fields.sentence("all", must=False), []
+    lines = {name: fields.line(name) for name in ("start", "goal")}
+    for each in fields.tables("found", 1, MOST):
+        found.append(Found(say=each.said("say"), range=each.interval("range", *span), line=each.line("range")))
+        each.close()
+    return Set(
+        name=name, line=line, slider=slider or "", range=span, start=start, goal=goal,
+        not_yet=not_yet, more=more, all=whole, found=tuple(found), lines=lines,
+    )  # fmt: skip
+
+
+def _goal(key: str, value: Any) -> Goal:
+    words = value.split() if isinstance(value, str) else []
+    if len(words) == 3:
+        quantity, relation, written = words
+        try:
+            choice(key, quantity, QUANTITIES)
+            choice(key, relation, RELATIONS if quantity == "contacts" else RELATIONS[1:])  # never exactly met else
+            return Goal(quantity, relation, number(key, float(written), -LARGEST, LARGEST))
+        except ValueError:
+            pass
+    raise SceneError(key, value, wanted("goal", quantities=[*QUANTITIES]))
+
+
+Reader = Callable[[Fields, Stage, str, int], Part]

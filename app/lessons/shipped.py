@@ -1,0 +1,34 @@
+"""Lessons that come with the program."""
+
+from pathlib import Path
+
+from solvers.text.catalogue import SOURCE
+
+from .lesson import Lesson
+from .reading import read
+
+FOLDER = Path(__file__).parent / "library"
+
+
+def lesson_files() -> list[Path]:
+    """All of them, translations too."""
+    return sorted(FOLDER.glob("*.md"))
+
+
+def lesson_names() -> list[str]:
+    """Without their translations."""
+    return [path.stem for path in lesson_files() if "." not in path.stem]
+
+
+def shipped_lesson(name: str, language: str = SOURCE) -> Lesson:
+    """In this language, or as its original where there is no translation. Raises KeyError for another name."""
+    if name not in lesson_names():
+        raise KeyError(name)
+    translated = FOLDER / f"{name}.{language}.md"
+    return read(translated if translated in lesson_files() else FOLDER / f"{name}.md")
+
+
+def template(name: str) -> str:
+    """The text of a lesson to begin with, under this name."""
+    first, _, rest = (Path(__file__).parent / "template.md").read_text(encoding="utf-8").split("\n", 2)
+    return "\n".join((first, f"lesson: {name}", rest))

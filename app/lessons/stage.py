@@ -1,0 +1,102 @@
+"""Scene and choices from step to step: what a lesson has changed so far."""
+
+import difflib
+import math
+from typing import Any
+
+import param
+
+from solvers.validation import allowed, shown
+
+from ..choices.choices import SCENES, Choices, accepts
+from ..choices.opened import possible
+from ..choices.scene_of import acting_choices, own_choices
+from .fields import Fields
+from .problems import Problems, wanted
+
+
+def known_scene(name: object, line: int, key: str, problems: Problems) -> str | None:
+    """The name of a built-in scene; of another word a problem, and None."""
+    if isinstance(name, str) and name in SCENES:
+        return name
+    near = difflib.get_close_matches(str(name)[:60], list(SCENES), n=1)
+    problems.add(line, "scene-unknown", key=key, value=shown(name), near=near[0] if near else "none")
+    return None
+
+
+class Stage:
+    """The scene that is shown, and what is chosen in it."""
+
+    def __init__(self, scene: str):
+        self.scene, self.changes = scene, dict[str, Any]()
+
+    def own(self) -> dict[str, Any]:
+        """A value for every choice."""
+        return own_choices(self.scene) | self.changes
+
+    def turn_to(self, scene: str) -> None:
+        """Another scene, as it is."""
+        self.scene, self.changes = scene, {}
+
+    def acting(self) -> list[str]:
+        """Settings that change anything here."""
+        try:
+            return acting_choices(self.own())
+        except ValueError:
+            return [*Choices.CHOSEN]
+
+    def numeric(self) -> list[str]:
+        """Those of them that a slider can have."""
+        return [name for name in self.acting() if isinstance(Choices.param[name], param.Number)]
+
+    def change(self, fields: Fields, given: Any) -> dict[str, Any]:
+        """Take the settings of a table `changes`; what cannot be is noted."""
+        if given is None:
+            return {}
+        if not isinstance(given, dict):
+            fields.refuse("changes", given, allowed("a-table"))
+            return {}
+        new = {name: value for name, value in given.items() if name in Choices.CHOSEN and _can_be(name, value)}
+        known = [name for name in self._with(new).acting() if name != "scene"]
+        for name, value in given.items():
+            full = f"changes.{name}"
+            if name not in known:
+                fields.refuse(full, value, wanted("choice-here", names=known))
+            elif name not in new:
+                fields.refuse(full, value, possible(Choices.param[name]))
+        kept = {name: value for name, value in new.items() if name in known}
+        self.changes |= kept
+        return kept
+
+    def _with(self, changes: dict[str, Any]) -> "Stage":
+        found = Stage(self.scene)
+        found.changes = self.changes | changes
+        return found
+
+    def slider(self, fields: Fields, name: str) -> str | None:
+        """A setting that has a slider."""
+        value, known = fields.take(name), self.numeric()
+        if isinstance(value, str) and value in known:
+            return value
+        fields.refuse(name, value, wanted("number-choice", names=known))
+        return None
+
+    def sliders(self, fields: Fields) -> tuple[str, ...]:
+        """Several of them."""
+        return fields.names("sliders", self.numeric()) or ()
+
+
+def _can_be(name: str, value: Any) -> bool:
+    return not (isinstance(value, float) and not math.isfinite(value)) and accepts(name, value)
+
+
+def bounds_of(name: str) -> tuple[float, float]:
+    """Of a setting that is a number."""
+    bounds: Any = Choices.param[name].bounds
+    return float(bounds[0]), float(bounds[1])
+
+
+def value_for(fields: Fields, key: str, slider: str) -> float:
+    """A value that this slider can have, which must be there."""
+    low, high = bounds_of(slider)
+    return fields.number(key, low, high)
