@@ -14,6 +14,7 @@ import solvers
 from solvers import SceneError
 from solvers.jit.shortcuts import shorten
 
+from .lesson import add_commands as add_lesson_commands
 from .parser import Parser, Refused
 from .serve import add_arguments as add_serve_arguments
 from .static import add_export_arguments, add_wasm_arguments
@@ -23,7 +24,8 @@ QUIET_SECONDS = 3.0  # [s] until one line says what takes long
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the command; returns the exit code: 0, or 2 after one line on standard error; 130 if interrupted."""
+    """Run the command; returns the exit code: 0, or 2 after one line on standard error; 130 if interrupted;
+    1 where a lesson file has errors."""
     shorten()
     try:
         options = _parser().parse_args(arguments)
@@ -88,6 +90,9 @@ def _parser() -> argparse.ArgumentParser:
     _stability_command(commands)
     _plan_command(commands)
     _joints_command(commands)
+
+    lesson = commands.add_parser("lesson", help=text("help.lesson.about"))
+    add_lesson_commands(lesson)
 
     scenes = commands.add_parser("scenes", help=text("help.scenes"))
     scenes.set_defaults(run=_scenes)

@@ -37,6 +37,10 @@ stability fixed-rod --grid 2x2 --modes 4
 tradeoff fixed-rod --stored
 joints bent-rods
 record --scene fixed-rod --example
+lesson --help
+lesson check --help
+lesson new --help
+lesson
 solve nowhere
 solve fixed-rod --set impactor.mass=-1
 serve --port 0
@@ -66,7 +70,7 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
-    *("plan", "joints", "scenes", "serve", "warm", "wasm", "COMMAND", "FILE", "VALUE"),
+    *("plan", "joints", "lesson", "check", "new", "scenes", "serve", "warm", "wasm", "COMMAND", "FILE", "VALUE"),
 }
 DOTTED = re.compile(r"(?<!=)\b\d+\.\d")  # a number as English has it, but for values of keys
 

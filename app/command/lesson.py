@@ -1,0 +1,65 @@
+"""The command `impact lesson`: checks lesson files, and writes one to begin with."""
+
+import argparse
+import json
+import re
+from pathlib import Path
+
+from solvers import SceneError
+from solvers.text.catalogue import spoken
+
+from .words import text
+
+NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,59}")
+USUAL = "lesson.md"  # the file that is written
+
+
+def add_commands(parser: argparse.ArgumentParser) -> None:
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=type(parser))
+    check = commands.add_parser("check", help=text("help.lesson.check"))
+    check.add_argument("files", nargs="+", metavar="FILE", help=text("help.lesson.files"))
+    check.add_argument("--json", action="store_true", help=text("help.json"))
+    check.set_defaults(run=lambda options: print_check(options.files, options.json))
+    new = commands.add_parser("new", help=text("help.lesson.new"))
+    new.add_argument("file", nargs="?", default=USUAL, metavar="FILE", help=text("help.lesson.file", usual=USUAL))
+    new.set_defaults(run=lambda options: write_new(options.file))
+
+
+def print_check(files: list[str], as_json: bool) -> int:
+    """Print all that is wrong with each file, by line; 1 if anything is."""
+    from ..lessons.checking import check
+
+    found = {file: check(Path(file)) for file in files}
+    if as_json:
+        table = [
+            {"file": file, "errors": [each.table() for each in one.problems], "missing": list(one.missing)}
+            for file, one in found.items()
+        ]
+        print(json.dumps(table, indent=1, allow_nan=False, ensure_ascii=False))
+    else:
+        for file, one in found.items():
+            for problem in one.problems:
+                print(f"{file}:{problem.line}: {problem.said(spoken())}")
+            for part in one.missing:
+                print(f"{file}: {text('lesson.missing', part=part)}")
+            if one.lesson is not None and not one.problems:
+                print(f"{file}: {text('lesson.right', steps=len(one.lesson.steps))}")
+    return int(any(one.problems for one in found.values()))
+
+
+def write_new(file: str) -> int:
+    """Write the file to begin with, named after itself; one that is there stays as it is."""
+    from ..lessons.shipped import template
+
+    path = Path(file)
+    name = path.stem if NAME.fullmatch(path.stem) else Path(USUAL).stem
+    try:
+        with path.open("x", encoding="utf-8") as made:
+            made.write(template(name))
+    except FileExistsError:
+        raise SceneError("FILE", file, text("wanted.new-file")) from None
+    except (OSError, ValueError) as error:
+        why = getattr(error, "strerror", None) or str(error)
+        raise SceneError("FILE", file, text("wanted.writable", why=why)) from None
+    print(text("lesson.written", file=file))
+    return 0
