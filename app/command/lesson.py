@@ -28,6 +28,7 @@ def add_commands(parser: argparse.ArgumentParser) -> None:
 def print_check(files: list[str], as_json: bool) -> int:
     """Print all that is wrong with each file, by line; 1 if anything is."""
     from ..lessons.checking import check
+    from ..lessons.problems import on_one_line
 
     found = {file: check(Path(file)) for file in files}
     if as_json:
@@ -41,7 +42,7 @@ def print_check(files: list[str], as_json: bool) -> int:
             for problem in one.problems:
                 print(f"{file}:{problem.line}: {problem.said(spoken())}")
             for part in one.missing:
-                print(f"{file}: {text('lesson.missing', part=part)}")
+                print(f"{file}: {text('lesson.missing', part=on_one_line(part))}")
             if one.lesson is not None and not one.problems:
                 print(f"{file}: {text('lesson.right', steps=len(one.lesson.steps))}")
     return int(any(one.problems for one in found.values()))

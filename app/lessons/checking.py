@@ -1,4 +1,4 @@
-"""Whether a lesson holds in its scenes: events happen, goals are met where it says so. Each scene is solved."""
+"""Whether a lesson holds in its scenes, which are solved: events happen, goals are met, exact curves judged right."""
 
 import math
 from collections.abc import Iterable
@@ -14,7 +14,8 @@ from solvers import SceneError, Solution
 from ..choices.choices import Choices
 from ..choices.scene_of import chosen_scene, own_choices
 from .events import times_of
-from .lesson import Goal, Lesson, Order, Part, Set, Sketch, Step
+from .judging import exact_line, judged
+from .lesson import Goal, Lesson, Order, Part, Set, Sketch, Span, Step, Time
 from .problems import LessonError, Problem, Problems
 from .reading import Read, read_in_full
 
@@ -80,6 +81,8 @@ class _Check:
                     self.problems.add(use.line, "event-missing", key=use.key, value=use.event, names=names)
             for part in step.parts:
                 self._spans(part, times)
+                if isinstance(part, Sketch):
+                    self._sketch(part, solution, times)
                 if isinstance(part, Order):
                     self._order(part, times)
                 if isinstance(part, Set):
@@ -105,6 +108,16 @@ class _Check:
             first, last = (_time(each, times) for each in span or (0.0, 1.0))
             if first >= last:
                 self.problems.add(line, "span-falls", key=key)
+
+    def _sketch(self, part: Sketch, solution: Solution, times: dict[str, float]) -> None:
+        """No right line is called wrong: the exact curve gets every `yes`."""
+        named = {each for judge in part.judges for each in _ends(judge.at)} | {part.until}
+        if part.track != "force" or any(math.isnan(_time(each, times)) for each in named):
+            return
+        line = exact_line(solution, part, _time(part.until, times))
+        for judge, verdict in zip(part.judges, judged(line, part, times), strict=True):
+            if verdict.outcome != "yes":
+                self.problems.add(judge.line, "truth-refused", key=judge.criterion, value=verdict.outcome)
 
     def _order(self, part: Order, times: dict[str, float]) -> None:
         last = -math.inf
@@ -144,9 +157,13 @@ class _Check:
         return False
 
 
-def _time(given: float | str, times: dict[str, float]) -> float:
+def _time(given: Time, times: dict[str, float]) -> float:
     """In T; NaN of what does not happen, which is refused by itself."""
     return times.get(given, math.nan) if isinstance(given, str) else given
+
+
+def _ends(at: Time | Span) -> Span:
+    return at if isinstance(at, tuple) else (at, at)
 
 
 def _places(span: tuple[float, float], count: int) -> list[float]:

@@ -11,6 +11,11 @@ from solvers.text.notes import Note, Severity
 from ..text.catalogues import lessons
 
 
+def on_one_line(words: str) -> str:
+    """What comes from a file may have any letters in it."""
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in words).split())
+
+
 class Problem(NamedTuple):
     """One thing that cannot be; `line` counts from 1."""
 
@@ -18,8 +23,8 @@ class Problem(NamedTuple):
     note: Note
 
     def said(self, language: str = SOURCE) -> str:
-        """Its sentence."""
-        return lessons(language).text(self.note.code, **self.note.values)
+        """Its sentence, on one line, in letters that a terminal can show."""
+        return on_one_line(lessons(language).text(self.note.code, **self.note.values))
 
     def table(self) -> dict[str, Any]:
         """For JSON: line, code, values, and the sentence in the language of this process."""

@@ -59,7 +59,7 @@ def assert_read_or_refused(text):
         count = len(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"))
         for problem in error.problems:
             assert 1 <= problem.line <= count + 1
-            assert problem.said()
+            assert problem.said().isprintable()
         return
     json.dumps(record, allow_nan=False)
     for node in nodes_in(record):

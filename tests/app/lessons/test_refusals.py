@@ -157,6 +157,7 @@ def test_a_right_one_is_not_refused(tmp_path):
         (fence("scene", 'play = ["back", "wall"]'), 9, "play: the span ends before it begins"),
         (fence("order", ORDER.replace("at = 0", 'at = "part"') + 'at = "wall"'), 17, "item[2].at: wall is not later"),
         (fence("sketch", SKETCH + 'falls = ["part", "wall"]\nyes = "Yes."\nno = "No."'), 14, "falls: the span ends"),
+        (fence("sketch", SKETCH + 'rises = ["touch", "back"]\nyes = "Yes."\nno = "No."'), 14, "rises: got a criterion"),
         (fence("scene", 'scene = "two-balls"\nchanges = { law = "rigid" }'), 8, "the scene of this step cannot be sol"),
     ],
 )  # fmt: skip
