@@ -4,7 +4,7 @@ Each module becomes a function that is given what others export, in an order in 
 takes the forms that our modules have: `import { a, b as c } from './x.js'`, `import * as a from './x.js'`, `export`
 before a declaration that does not change, and imports while running: of files in the same folder, or of an address,
 which is left to the browser. Comments that have their lines to themselves, a quarter of what is sent, are left out, and
-types within a line.
+types within a line, indents, and comments at the ends of lines.
 """
 
 import re
@@ -16,6 +16,8 @@ EXPORT = re.compile(r"^export (?=(?:async )?(?:function\*?|class|const) (\w+))",
 LATE = re.compile(r"\bimport\(`\./([^`]*)`\)")  # of a module in the same folder, known only when it runs
 COMMENT = re.compile(r"^[ \t]*(?:/\*\*(?:(?!\*/)[\s\S])*\*/|//.*)\n", re.MULTILINE)  # that has its lines to itself
 CAST = re.compile(r"/\*\* @\w+ [^*]*\*/ ?")  # of a type, within a line
+TRAILING = re.compile(r"[ \t]+// [^'\"`\n]*$", re.MULTILINE)  # a comment, as nothing that is quoted ends behind it
+INDENT = re.compile(r"^[ \t]+", re.MULTILINE)
 APART = re.compile(r"\bimport\(new URL\(")  # of what is fetched when it is asked for, with a bundle of its own
 ADDRESS = "ADDRESS_OF_ALL"  # stands for that of the folder of all modules
 OTHER = re.compile(r"^(?:import|export)\b(?! \{\};).*|\bimport\([^)]", re.MULTILINE)
@@ -68,7 +70,7 @@ def _add(root: Path, name: str, state: dict[str, bool], parts: list[str], late: 
             raise ValueError(f"{name} imports itself by way of others")
         return
     state[name] = False
-    text, folder = CAST.sub("", COMMENT.sub("", (root / name).read_text("utf-8"))), PurePosixPath(name).parent
+    text, folder = _shorter((root / name).read_text("utf-8")), PurePosixPath(name).parent
     needed = [_inside(folder / path) for *_, path in IMPORT.findall(text)]
     if late and LATE.search(text):  # whichever it will be: all there that stand alone or are needed by others too
         needed += sorted(
@@ -93,6 +95,13 @@ def _function_of(name: str, folder: PurePosixPath, text: str) -> str:
         raise ValueError(f"{name}: cannot be bundled: {other[0]}")
     body = body.replace("import.meta.url", f"new URL('{name}', {ADDRESS}).href").replace("export {};\n", "")
     return f"modules['{name}'] = await (async () => {{\n{body}return {{ {', '.join(exported)} }};\n}})();\n"
+
+
+def _shorter(text: str) -> str:
+    """Without comments and types; without what is at the ends of lines, but for a template literal that spans some."""
+    text = CAST.sub("", COMMENT.sub("", text))
+    spans = any(line.count("`") % 2 for line in text.splitlines())
+    return text if spans else INDENT.sub("", TRAILING.sub("", text))
 
 
 def _without_comments(text: str) -> str:

@@ -39,6 +39,7 @@ ENTRY = "page.js"  # stands for all modules but those of these, which are fetche
 APART = ("gallery/gallery.js", "take/files.js", "wasm/answers.js")
 SHEETS = "sheets.css"  # likewise, for the sheets that it names
 IMPORT = re.compile(r"@import '\./([^']+)';\n")
+SPARE = re.compile(r"^[ \t]+|/\*[\s\S]*?\*/\n?", re.MULTILINE)  # of styles: indents and comments
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
@@ -123,7 +124,8 @@ def text_of(file: Path) -> bytes:
     if file == STATIC / ENTRY:
         return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode()
     if file == STATIC / SHEETS:
-        return IMPORT.sub(lambda found: (STATIC / found[1]).read_text("utf-8"), file.read_text("utf-8")).encode()
+        whole = IMPORT.sub(lambda found: (STATIC / found[1]).read_text("utf-8"), file.read_text("utf-8"))
+        return SPARE.sub("", whole).encode()
     name = file.relative_to(STATIC).as_posix() if file.is_relative_to(STATIC) else ""
     return bundle(STATIC, name, beside=ENTRY).encode() if name in APART else file.read_bytes()
 

@@ -66,6 +66,13 @@ def test_a_module_is_given_what_it_imports(tmp_path):
     assert done.stdout == "6\n", done.stderr
 
 
+def test_ends_of_lines_are_left_out_but_of_a_literal_that_spans_some(tmp_path):
+    (tmp_path / "a.js").write_text("const a = 'b // c'; // d\n  const e = `http://f`; // it's\n")
+    assert "const a = 'b // c';\nconst e = `http://f`; // it's\n" in bundle(tmp_path, "a.js")
+    (tmp_path / "a.js").write_text("const a = `b // c\n  d`;\n")
+    assert "const a = `b // c\n  d`;\n" in bundle(tmp_path, "a.js")
+
+
 @pytest.mark.parametrize(
     "text, reason",
     [
