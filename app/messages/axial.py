@@ -18,6 +18,7 @@ from solvers.methods.modal.method import ModalMotion
 from solvers.methods.quasi_static.balls import RowMotion
 from solvers.methods.theory_limits import OF_THEORY
 from solvers.methods.validity import TWICE
+from solvers.numerics.waves.chain_drawn import WAVE_NUMBERS
 from solvers.scenes.saved import saved_head
 from solvers.solution.motion import Balances, SendsWaves, knows_field
 from solvers.solution.restitution import common_velocity
@@ -45,7 +46,6 @@ from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_f
 from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
 from .solutions import both, by_modes
 
-WAVE_NUMBERS = 4_800  # of the histories of all waves together
 MOTION_POINTS = 300  # of the motions of the impactor and of the struck face
 INSTANTS, PLACES = 110, 31  # of the fields of a method other than waves and modes
 
@@ -99,7 +99,7 @@ def axial_frame(request: Request) -> bytes:
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
         "rigid": scene.rigid_contact,
-        **followed(scene, request.chosen, other),
+        **followed(scene, request.chosen, exact, other),
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
         "yields": scene.contact.PLASTIC,

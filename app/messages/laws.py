@@ -17,6 +17,7 @@ from ..choices.built_in import base_of
 from ..choices.choices import Choices
 from ..choices.kinds import own_options
 from ..choices.laws import DEPTH, STIFFNESS, contact_table, law_choices
+from .chain import chain_fields
 
 DAMPED = 0.5  # a restitution at which it shows how damping grows
 SINE = "hertz-sine"  # model of the quasi-static method
@@ -24,11 +25,14 @@ STRUCTURAL = "structural"  # model of the quasi-static method; others whose name
 SAME = 1e-9  # relative difference of constants that are the same but for rounding
 
 
-def followed(scene: Scene, chosen: Mapping[str, Any], other: Solution | None) -> dict[str, Any]:
+def followed(scene: Scene, chosen: Mapping[str, Any], exact: Solution, other: Solution | None) -> dict[str, Any]:
     """What a browser needs of an impact along an axis, and of the method beside it, to follow other choices."""
     compact = laws_of_compact_bodies(scene, chosen, other)
+    chain = chain_fields(scene, exact, other)
+    laws = [_record(scene, scene.contact, {}, {}, Units(1.0, 1.0))] if chain else laws_of_a_rod(scene, chosen)
     return {
-        "laws": compact or laws_of_a_rod(scene, chosen),
+        "laws": compact or laws,
+        "chain": chain,
         "compact": {"sine": other is not None and other.method["model"] == SINE} if compact else None,
         "springCarries": carried_by_spring(other),
     }

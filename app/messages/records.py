@@ -202,6 +202,11 @@ RECORDS: dict[str, Fields] = {
         "place": Field("number", "from its pivot to the contact [m]", optional=True),
         "ownMass": Field("number", "of all of it, where `mass` is what is felt at the contact [kg]", optional=True),
     },
+    "ChainRecord": {
+        "kinds": Field("number[]", "what holds at every node, as the kernel counts"),
+        "gaps": Field("number[]", "before it [v T]"),
+        "asked": Field("number", "for how long it is solved [T]; 0: until the bodies have parted for good"),
+    },
     "TargetRecord": {
         "kind": Field("string"),
         "shape": Field("'ball' | 'block'", "of a compact body"),

@@ -70,6 +70,9 @@ AXIAL: Fields = {
     "match": Field("number | null", "restitution that would have matched"),
     "rigid": Field("boolean", "whether nothing gives way at the contact itself"),
     "laws": Field("LawRecord[]", "of a mass on a rod, that can be chosen: for kernels of the browser"),
+    "chain": Field(
+        "ChainRecord | null", "of rods one behind the other, with rigid faces: for the kernel that follows their waves"
+    ),
     "compact": Field(
         "{ sine: boolean } | null",
         "of two bodies that move as wholes, by a law and its closed form, or a half sine for it",

@@ -12,9 +12,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from solvers.numerics.waves.chain_drawn import MOST_RODS
+
 from ..choices.choices import SCENES, Choices
 from ..choices.scene_of import choices_of
-from ..messages.encoding import arrays_of, read_header
+from ..messages.encoding import arrays_of, read_header, whole_numbers
 from ..messages.solve import solve_frame
 from ..page.lab import STATIC, spec_of_choices
 from ..page.picker import gallery
@@ -46,6 +48,10 @@ REMADE_SPRING = (  # of one that bends as a spring
 )
 AT_THE_DEEPEST = ("blowDepth", "touchRadius")  # that one pair tells how round the faces are
 REMADE_COMPACT = ("otherMass", "otherEnd", "otherTime", "otherForce")  # of two bodies that move as wholes
+REMADE_CHAIN = tuple(  # of rods one behind the other: what both ends of each send
+    f"{way}{number}{of}" for number in range(MOST_RODS) for way in "fg" for of in ("Time", "")
+)
+BRIEF = ("otherMass", "otherEnd", "otherTime", "otherForce")  # beside these
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
     "img-src data: blob:; media-src blob:; font-src data:; base-uri 'none'; form-action 'none'"
@@ -146,6 +152,12 @@ def _gallery(names: set[str]) -> dict[str, Any]:
     }
 
 
+def _brief(values: np.ndarray) -> tuple[bytes, list[float]]:
+    """In two bytes a number, and their unit: as much as a picture shows."""
+    numbers, unit = whole_numbers(values)
+    return numbers.tobytes() + b"\0" * (2 * (numbers.size % 2)), [unit]
+
+
 def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
     """Header and arrays of a message, of which those are empty that the kernels of the browser make anew."""
     header, at = read_header(message), 4 + int.from_bytes(message[:4], "little")
@@ -154,6 +166,8 @@ def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
         remade += REMADE_SPRING
     if header.get("compact"):
         remade += REMADE_COMPACT
+    if header.get("chain"):
+        remade += REMADE_CHAIN
     if any(name == "touchFlow" for name, *_ in header["arrays"]):
         remade += FLOWING
     known, arrays = arrays_of(message), []
@@ -165,6 +179,9 @@ def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
         size += -size % 4
         if name in remade:
             entry[1] = [0]
+        elif name in BRIEF and header.get("chain") and not unit:
+            numbers, entry[2:] = _brief(known[name])
+            arrays.append(numbers)
         elif name in AT_THE_DEEPEST:
             entry[1] = [1]
             arrays.append(message[at + 2 * deepest : at + 2 * deepest + 2] + b"\0\0")

@@ -211,6 +211,12 @@ export interface Striking {
   /** of all of it, where `mass` is what is felt at the contact [kg] */ ownMass?: number;
 }
 
+export interface ChainRecord {
+  /** what holds at every node, as the kernel counts */ kinds: number[];
+  /** before it [v T] */ gaps: number[];
+  /** for how long it is solved [T]; 0: until the bodies have parted for good */ asked: number;
+}
+
 export interface TargetRecord {
   kind: string;
   /** of a compact body */ shape: 'ball' | 'block';
@@ -397,6 +403,7 @@ export interface AxialFrame extends Common {
   /** restitution that would have matched */ match: number | null;
   /** whether nothing gives way at the contact itself */ rigid: boolean;
   /** of a mass on a rod, that can be chosen: for kernels of the browser */ laws: LawRecord[];
+  /** of rods one behind the other, with rigid faces: for the kernel that follows their waves */ chain: ChainRecord | null;
   /** of two bodies that move as wholes, by a law and its closed form, or a half sine for it */ compact: { sine: boolean } | null;
   /** share of its mass with the end of a rod that bends as a spring by the other method; else null */ springCarries: number | null;
   /** whether the contact law does */ damps: boolean;

@@ -6,9 +6,10 @@ The browser's own word on each answer is `covers` in `app/static/wasm/answers.js
 from collections.abc import Callable, Mapping
 
 from solvers import Beam, Modal, QuasiStatic, RigidMass, Rod, Scene, Waves, usual_method
-from solvers.bodies import Wall
-from solvers.contact import Hertz, Power
+from solvers.bodies import Wall, Waveguide
+from solvers.contact import Hertz, Power, Rigid
 from solvers.contact.duration import exponent_of
+from solvers.numerics.waves.chain_drawn import MOST_RODS
 
 
 def covered(scene: Scene) -> bool:
@@ -40,6 +41,18 @@ def _on_rod(scene: Scene) -> bool:
     return _on_plain_rod(scene) and (
         (name == Waves.NAME and "duration" not in method) or (name == Modal.NAME and method.keys() <= {"name", "modes"})
     )
+
+
+def _on_chain(scene: Scene) -> bool:
+    """A mass or a rod on rods one behind the other, all faces rigid, by waves: but a mass on one plain rod."""
+    impactor, target, method = scene.impactor, scene.target, scene.method
+    if not isinstance(target, Waveguide) or not (isinstance(impactor, Rod) or _mass_strikes(scene)):
+        return False
+    laws = (scene.contact, *scene.joint_laws)
+    if not all(law is None or isinstance(law, Rigid) for law in laws) or _on_plain_rod(scene):
+        return False
+    few = len(impactor.rods) + len(target.rods) <= MOST_RODS
+    return few and method.get("name", Waves.NAME) == Waves.NAME and method.keys() <= {"name", "duration"}
 
 
 def _on_spring(scene: Scene) -> bool:
@@ -76,5 +89,6 @@ ANSWERED_BY: dict[str, Callable[[Scene], bool]] = {  # by entry, as in `entries.
     "law": lambda scene: not scene.rigid_contact and _on_rod(scene),
     "beam": _on_beam,
     "spring": _on_spring,
+    "chain": _on_chain,
     "compact": _compact,
 }

@@ -5,6 +5,7 @@
 
 from collections.abc import Sequence
 
+from .chain_entries import CHAIN_ENTRIES
 from .compact_entries import COMPACT_ENTRIES
 from .entry import KINDS
 from .modal_entries import MODAL_ENTRIES
@@ -12,7 +13,7 @@ from .spring_entries import FEW, PLACES, SPRING_ENTRIES
 from .wave_entries import DASHPOTS, WAVE_ENTRIES
 
 ON_A_LINE = 80  # of letters of a list: longer ones have one for each of theirs
-ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES | COMPACT_ENTRIES
+ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES | COMPACT_ENTRIES | CHAIN_ENTRIES
 
 
 def room() -> str:

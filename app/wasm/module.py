@@ -6,11 +6,13 @@ from pathlib import Path
 from solvers.fingerprint import fingerprint
 from solvers.jit.cache import LIBRARY
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
+from solvers.methods.waves.method import RIGID_TOLERANCE
 
 MODULE = Path(__file__).parents[1] / "static/wasm/kernels.wasm"
 SOURCES = (
     "numerics/waves/rigid_drawn.py",
     "numerics/waves/law_drawn.py",
+    "numerics/waves/chain_drawn.py",
     "numerics/modal_drawn.py",
     "numerics/spring_drawn.py",
     "numerics/compact_drawn.py",
@@ -23,6 +25,7 @@ ENTRIES = (
     "modal_entries.py",
     "spring_entries.py",
     "compact_entries.py",
+    "chain_entries.py",
     "entries.py",
 )  # beside this
 SECTION = b"\x0bfingerprint"  # in which the module names the sources that it was made of
@@ -31,7 +34,7 @@ SECTION = b"\x0bfingerprint"  # in which the module names the sources that it wa
 def sources() -> str:
     """The fingerprint of what the module is made of: of kernels, and of the entries to them."""
     entries = b"".join(Path(__file__).with_name(each).read_bytes() for each in ENTRIES)
-    entries += repr((AFTERGLOW, MAX_ROUND_TRIPS)).encode()
+    entries += repr((AFTERGLOW, MAX_ROUND_TRIPS, RIGID_TOLERANCE)).encode()
     return f"{fingerprint([LIBRARY / each for each in SOURCES], deep=True)}-{sha256(entries).hexdigest()[:12]}"
 
 

@@ -2,6 +2,7 @@
 // page stands; where it cannot be, the server answers alone.
 import { kernelsOf } from './kernels.js';
 import * as beams from './bending.js';
+import * as chains from './chain.js';
 import * as compacts from './compact.js';
 import * as rods from './rod.js';
 
@@ -19,6 +20,7 @@ import * as rods from './rod.js';
 const KINDS = {
   axial: [
     { follows: rods.follows, is: rods.isRod, made: rods.rodWith },
+    { follows: chains.follows, is: chains.isChain, made: chains.chainWith },
     { follows: compacts.follows, is: compacts.isCompact, made: compacts.compactWith },
   ],
   beam: [{ follows: beams.follows, is: beams.isBent, made: beams.beamWith }],

@@ -5,7 +5,8 @@
 
 /**
  * @typedef {'apart' | 'compressing' | 'dissipated' | 'duration' | 'energy' | 'final' | 'impulse' | 'target'} Same
- * @typedef {Pick<Impact, Same> & { contacts: Contact[], local: number, cycle: Dent | null }} Found
+ * @typedef {Pick<Impact, Same> & { contacts: Contact[], local: number, cycle: Dent | null } & Partial<Parts>} Found
+ * @typedef {{ first: number, striker: number, wholes: number }} Parts  energies of rods that strike, or of several
  * @typedef {{ deepest: number, dent: number }} Dent  [v T]
  */
 
@@ -24,10 +25,13 @@ export function figuresOf(frame, before, found, force) {
   const last = contacts[contacts.length - 1];
   const targetFinal = target.held ? 0 : found.target;
   const moving = (/** @type {number} */ mass, /** @type {number} */ v) => 0.5 * mass * (speed * v) ** 2;
-  const whole = target.held ? 0 : moving(target.mass, targetFinal);
   const unit = forceUnit * speed * trip;
+  const of = (/** @type {number | undefined} */ part, /** @type {() => number} */ known) =>
+    part === undefined ? known() : unit * part;
+  const whole = of(found.wholes, () => (target.held ? 0 : moving(target.mass, targetFinal)));
   const energies = {
-    ...{ initial: moving(impactor.mass, 1), impactor: moving(impactor.mass, final), target_rigid: whole },
+    initial: of(found.first, () => moving(impactor.mass, 1)),
+    ...{ impactor: of(found.striker, () => moving(impactor.mass, final)), target_rigid: whole },
     ...{ target_vibration: unit * energy - whole, local: unit * local, dissipated: unit * dissipated },
   };
   const { initial, ...parts } = energies;

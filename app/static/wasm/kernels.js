@@ -116,7 +116,7 @@ export class Kernels {
    * Room for a kernel, made when it is first asked for; whether there is any.
    * @param {Name} name
    */
-  #room(name) {
+  roomFor(name) {
     const missing = this.ends[name] - this.memory.buffer.byteLength;
     if (missing <= 0) return true;
     try {
@@ -131,7 +131,7 @@ export class Kernels {
    * @param {string} array
    * @param {number} size
    */
-  #array(name, array, size) {
+  array(name, array, size) {
     return new Float64Array(this.memory.buffer, this.places[name][array], size);
   }
   /**
@@ -139,16 +139,16 @@ export class Kernels {
    * @param {Name} name
    * @param {...number} numbers
    */
-  #call(name, ...numbers) {
+  call(name, ...numbers) {
     const { status } = this;
-    if (!this.#room(name)) return null;
+    if (!this.roomFor(name)) return null;
     const failed = this.exports[name](status, status + NUMBER, ...numbers, ...Object.values(this.places[name]));
     const [left] = new Int32Array(this.memory.buffer, status, 1);
     if (failed || left) return null;
     /** @type {Record<string, number>} */
     const sizes = ROOM[name];
-    const out = this.#array(name, 'out', sizes.out);
-    const read = (/** @type {string} */ array, size = sizes[array]) => this.#array(name, array, size).slice();
+    const out = this.array(name, 'out', sizes.out);
+    const read = (/** @type {string} */ array, size = sizes[array]) => this.array(name, array, size).slice();
     /** @type {Record<string, number>} */
     const figures = Object.fromEntries(Object.entries(OUT[name]).map(([each, place]) => [each, out[place]]));
     return { figures, read };
@@ -159,7 +159,7 @@ export class Kernels {
    * @param {...number} numbers
    */
   #run(name, ...numbers) {
-    const called = this.#call(name, ...numbers);
+    const called = this.call(name, ...numbers);
     if (!called) return null;
     const { figures, read } = called;
     const { compressing, duration, energy, forcePoints, impulse, target, wavePoints } = figures;
@@ -177,7 +177,7 @@ export class Kernels {
    * @param {number} restitution
    */
   dashpot(name, restitution) {
-    const { number = NaN, nominal = NaN } = this.#call('dashpot', DASHPOTS.indexOf(name), restitution)?.figures ?? {};
+    const { number = NaN, nominal = NaN } = this.call('dashpot', DASHPOTS.indexOf(name), restitution)?.figures ?? {};
     return { number, nominal };
   }
   /**
@@ -204,8 +204,8 @@ export class Kernels {
    */
   law(beta, reflection, { name, constants }) {
     const places = ROOM.law.constants / 2;
-    if (!this.#room('law')) return null;
-    const given = this.#array('law', 'constants', ROOM.law.constants).fill(0);
+    if (!this.roomFor('law')) return null;
+    const given = this.array('law', 'constants', ROOM.law.constants).fill(0);
     for (const end of [0, 1]) given.set([...constants], end * places);
     for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
     const run = this.#run('law', beta, reflection);
@@ -228,9 +228,9 @@ export class Kernels {
    * @returns {ModalImpact | null}
    */
   modes(beta, reflection, law, count, touching, duration) {
-    if (!this.#room('modes')) return null;
+    if (!this.roomFor('modes')) return null;
     this.#give('modes', law);
-    const called = this.#call('modes', beta, reflection, count, touching, duration);
+    const called = this.call('modes', beta, reflection, count, touching, duration);
     if (!called) return null;
     const { figures, read } = called;
     const force = read('histories', figures.steps);
@@ -244,7 +244,7 @@ export class Kernels {
    * @returns {SprungImpact | null}
    */
   spring(beta, carried, duration) {
-    const called = this.#call('spring', beta, carried, duration);
+    const called = this.call('spring', beta, carried, duration);
     if (!called) return null;
     const { figures, read } = called;
     const { apart, atOnce, compressing, dissipated, energy, final, impulse, parting, peak, root, steps } = figures;
@@ -263,9 +263,9 @@ export class Kernels {
    * @param {boolean} sine  whether by the half sine
    */
   compact(mass, whole, law, sine) {
-    if (!this.#room('compact')) return null;
+    if (!this.roomFor('compact')) return null;
     this.#give('compact', law);
-    const called = this.#call('compact', mass, whole, law.exponent, Number(sine));
+    const called = this.call('compact', mass, whole, law.exponent, Number(sine));
     if (!called) return null;
     const { figures, read } = called;
     const { contacts, deepest, depth, end, gone, left, parted, peak, pushed, steps, trip } = figures;
@@ -301,10 +301,10 @@ export class Kernels {
   beam({ damping, duration, march, mass, rigidMass, whole }, law) {
     const { atContact, compliance, frequencies, longest, mean } = march;
     const count = frequencies.length;
-    if (!this.#room('beam')) return null;
+    if (!this.roomFor('beam')) return null;
     this.#give('beam', law);
-    this.#array('beam', 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
-    const called = this.#call('beam', mass, rigidMass, whole, mean, count, compliance, longest, duration);
+    this.array('beam', 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
+    const called = this.call('beam', mass, rigidMass, whole, mean, count, compliance, longest, duration);
     if (!called) return null;
     const { figures, read } = called;
     const { contacts, deepest, dent, half, step, steps } = figures;
@@ -329,7 +329,7 @@ export class Kernels {
    * @param {Pick<LawRecord, 'name' | 'constants'>} law
    */
   #give(kernel, { name, constants }) {
-    const given = this.#array(kernel, 'constants', ROOM[kernel].constants).fill(0);
+    const given = this.array(kernel, 'constants', ROOM[kernel].constants).fill(0);
     given.set([...constants]);
     given[given.length - 1] = constants.length ? LAWS.indexOf(name) : -1;
   }
@@ -369,7 +369,7 @@ function halvesOf(read, name, both) {
  * @param {number} count
  * @param {(array: string, size: number) => Float64Array} read
  */
-function rowsOf(columns, count, read) {
+export function rowsOf(columns, count, read) {
   const table = read('contacts', columns * count);
   return Array.from({ length: count }, (_, k) => [...table.subarray(columns * k, columns * (k + 1))]);
 }

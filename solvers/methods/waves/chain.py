@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from ...numerics.waves import network as wave_network
-from ...numerics.waves.events import NO_PULL
+from ...numerics.waves.followed import MILLIONTH, follow
 from ...numerics.waves.laws import law_function, new_work
 from ...numerics.waves.nodes import new_state
 from ...numerics.waves.parts import BONDED
@@ -16,14 +16,13 @@ from ...numerics.waves.record import (
     IMPULSE,
     highest,
     new_record,
-    pushed,
     sample,
     square_integral,
 )
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
-from .chain_scene import MILLIONTH, ChainHistory, ChainScene
+from .chain_scene import ChainHistory, ChainScene
 
 STRETCHES = 4_000  # of a node, to begin with
 MAX_STRETCHES = 200_000  # of all nodes together
@@ -45,7 +44,7 @@ class ExactHistory(ChainHistory):
         capacity = min(STRETCHES, most)
         while True:
             self.record, self.state = new_record(len(self.laws), capacity), new_state(self.chain, capacity)
-            status = self._follow(min(until, MAX_ROUND_TRIPS), tolerance)
+            status = self._follow(until, tolerance)
             if (
                 status != wave_network.FULL
                 or capacity >= most
@@ -61,27 +60,14 @@ class ExactHistory(ChainHistory):
         self.error = max(tolerance, MILLIONTH if self.faded else 0.0)
         self.touching = bool(self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12))
 
-    def _follow(self, limit: float, tolerance: float) -> int:
-        """Run the kernel; how it ended. Before a rod without end, look now and then whether anything is left."""
-        endless = not self.asked and self.rods[-1].support == "anechoic"
-        wait = math.inf if self.asked else 2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip
+    def _follow(self, until: float, tolerance: float) -> int:
+        """Run the kernel; how it ended."""
         struck, joints, constants = self.given.kernel_laws()
-        memory = self.given.plastic, self.given.lossy
-        laws = law_function(struck), law_function(joints), constants, *memory
-        ends = wait, MILLIONTH if endless else NO_PULL
-        rooms, stop = (self.record, self.state, new_work()), self._fading() if endless else limit
-        while True:
-            stop = min(stop, limit)
-            status = wave_network.solve(
-                self.chain, *rooms, *laws, self.given.pulse, self.given.masses, *ends, stop, tolerance
-            )
-            if not endless or status in (wave_network.FULL, wave_network.FAILED):
-                return status
-            parted = status == wave_network.PARTED
-            self.faded = not self._apart() if parted else self._nothing_left()
-            if self.faded or parted or stop >= limit:
-                return status
-            stop *= 1.5
+        laws = law_function(struck), law_function(joints)
+        of_law = constants, self.given.plastic, self.given.lossy, self.given.pulse, self.given.masses
+        rooms = self.record, self.state, new_work()
+        status, self.faded = follow(self.chain, *rooms, *laws, of_law, until, MAX_ROUND_TRIPS, tolerance)
+        return status
 
     def _needed(self, until: float) -> float:
         """How many times the room that is filled it would take to get to `until`, as stretches have multiplied."""
@@ -89,19 +75,6 @@ class ExactHistory(ChainHistory):
         starts = (self.record.start[node, :count] for node, count in enumerate(counts))
         half = sum(int(np.searchsorted(start, 0.5 * reached)) for start in starts)
         return (until / reached) ** min(MAX_ECHO_GROWTH, max(1.0, math.log2(sum(counts) / half)))
-
-    def _fading(self) -> float:
-        """Time [T] by which a mass on one rod without an end has given off all its speed but a millionth."""
-        slowest = min(rod.impedance for rod in self.scene.target.rods)
-        return 2.0 * len(self.rods) + 14.0 * self.scene.impactor.mass / slowest / self.trip
-
-    def _nothing_left(self) -> bool:
-        return self.energy_left(float(self.state.time.min())) < MILLIONTH**2
-
-    def _apart(self) -> bool:
-        """Whether no part will ever catch up with the one before it, however slowly."""
-        through = np.array([pushed(self.record, node) for node in range(len(self.laws))])
-        return wave_network.separate(self.chain, self.given.masses, through, NO_PULL)
 
     def notes(self) -> list[Note]:
         followed, wanted = self.tolerances

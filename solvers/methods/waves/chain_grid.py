@@ -8,6 +8,7 @@ from ...bodies import Pulse
 from ...numerics.law_functions import MEMORY, step_function
 from ...numerics.waves import grid as wave_grid
 from ...numerics.waves.events import NO_PULL
+from ...numerics.waves.followed import MILLIONTH
 from ...numerics.waves.network import separate
 from ...numerics.waves.parts import ABSORBING, BONDED, RIGID_FACES, Chain
 from ...numerics.waves.periods import ROUNDING
@@ -26,7 +27,7 @@ from ...numerics.waves.record import (
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
-from .chain_scene import MILLIONTH, UNKNOWN, ChainHistory, ChainScene
+from .chain_scene import UNKNOWN, ChainHistory, ChainScene
 
 NODE_STEPS = 2_000_000  # of all nodes together: some tenths of a second, 80 MB
 PARTING_CHECKS = 40  # over the time followed, whether the bodies have parted; more cost time, fewer a longer tail

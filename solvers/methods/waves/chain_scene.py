@@ -22,7 +22,6 @@ from ..base import MAX_ROUND_TRIPS
 from ..validity import MAX_TRUSTED_ERROR, NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
 
 NO_LAW = Linear(1.0)  # where no law is asked for
-MILLIONTH = 1e-6  # of v: on a rod without end, where a force fades for ever, less is left to be
 UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
 
 

@@ -58,19 +58,19 @@ def _either_side(t, record, node, quantity, last):
     return before, before if t >= last else sample_at(record, node, quantity, t, np.bool_(True))
 
 
-_history = history_of(_either_side)
+kept_history = history_of(_either_side)
 
 
 @inner_kernel
-def _force_jumps(record, state, found):
-    """Write when the contact force may jump or bend, in order; how many, -1: no room."""
+def force_jumps(record, state, node, found):
+    """Write when the force at a node may jump or bend, in order; how many, -1: no room."""
     found[0] = 0.0
-    count, n, k, stretches = 1, 1, 0, record.count[0]
-    while n < stretches or k < state.break_count[0]:
-        while n < stretches and record.closed[0, n] == record.closed[0, n - 1]:
+    count, n, k, stretches = 1, 1, 0, record.count[node]
+    while n < stretches or k < state.break_count[node]:
+        while n < stretches and record.closed[node, n] == record.closed[node, n - 1]:
             n += 1
-        event = record.start[0, n] if n < stretches else np.inf
-        arrival = state.breaks[0, k] if k < state.break_count[0] else np.inf
+        event = record.start[node, n] if n < stretches else np.inf
+        arrival = state.breaks[node, k] if k < state.break_count[node] else np.inf
         t = min(event, arrival)
         n += 1 if event == t else 0
         k += 1 if arrival == t else 0
@@ -83,13 +83,13 @@ def _force_jumps(record, state, found):
 
 
 @inner_kernel
-def _sent_jumps(record, found):
-    """Write when the wave that the struck end sends jumps, in order; how many, as far as there is room."""
+def sent_jumps(record, node, quantity, found):
+    """Write when a wave that a node sends jumps, in order; how many, as far as there is room."""
     count = 0
-    for n in range(record.count[0]):
-        before = record.values[0, n - 1, OUT_RIGHT, -1] if n > 0 else 0.0
-        if abs(record.values[0, n, OUT_RIGHT, 0] - before) > 1e-6 and count < found.size:
-            found[count] = record.start[0, n]
+    for n in range(record.count[node]):
+        before = record.values[node, n - 1, quantity, -1] if n > 0 else 0.0
+        if abs(record.values[node, n, quantity, 0] - before) > 1e-6 and count < found.size:
+            found[count] = record.start[node, n]
             count += 1
     return count
 
@@ -203,16 +203,17 @@ def answer(
         SILENT * tolerance if of_law[2][0] else 0.0,
     )
     count = periods(record, 0, np.bool_(False), law, own, remembers, silent, slopes, pressing)
-    jumps = _force_jumps(record, state, drawn.jumps)
+    jumps = force_jumps(record, state, 0, drawn.jumps)
     if status != PARTED or count < 1 or jumps < 0:
         return NO_ROOM
     _table(record, pressing, count, contacts)
     parted = contacts[count - 1, END]
     last = min(parted + afterglow, state.time[0], state.time[1])
     force = record, np.int64(0), np.int64(FORCE), last
-    out[FORCE_POINTS] = _history(samples_of(last), last, drawn.jumps[:jumps], force, drawn.force_time, drawn.force)
-    sent, found = (record, np.int64(0), np.int64(OUT_RIGHT), last), drawn.jumps[: _sent_jumps(record, drawn.jumps)]
-    out[WAVE_POINTS] = _history(points, last, found, sent, drawn.wave_time, drawn.wave)
+    out[FORCE_POINTS] = kept_history(samples_of(last), last, drawn.jumps[:jumps], force, drawn.force_time, drawn.force)
+    found = drawn.jumps[: sent_jumps(record, 0, OUT_RIGHT, drawn.jumps)]
+    sent = record, np.int64(0), np.int64(OUT_RIGHT), last
+    out[WAVE_POINTS] = kept_history(points, last, found, sent, drawn.wave_time, drawn.wave)
     _motions(record, last, drawn.mass, drawn.end, drawn.whole)
     _figures(chain, record, law, own, slopes, parted, last, out)
     _cycle(record, law, own, slopes, min(last, BEYOND * parted), out[DEEPEST], *cycle)

@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 const [, , module, kernels] = process.argv;
 const { kernelsOf } = await import(kernels);
+const { chainImpact } = await import(kernels.replace('kernels.js', 'chain_kernel.js'));
 const found = await kernelsOf(readFileSync(module));
 
 const drawn = ({ waveTime, wave, forceTime, force, mass, end, whole }) => ({
@@ -66,7 +67,15 @@ function compact([mass, whole, pressed, sine]) {
   return { ...Object.fromEntries(lists), cycle: path };
 }
 
+function chain([rods, kinds, gaps, asked, mass, end]) {
+  const impact = chainImpact(found, rods, { kinds, gaps, asked }, mass, end);
+  if (!impact) return {};
+  const { waves, ...rest } = impact;
+  const lists = Object.entries(rest).map(([each, value]) => [each, value.length ? [...value] : value]);
+  return { ...Object.fromEntries(lists), waves: waves.map((wave) => wave.map((values) => [...values])) };
+}
+
 const given = JSON.parse(readFileSync(0, 'utf8'));
-const each = { rod, law, modes, beam, spring, compact };
+const each = { rod, law, modes, beam, spring, compact, chain };
 const answers = Object.entries(each).map(([name, one]) => [name, (given[name] ?? []).map(one)]);
 console.log(JSON.stringify(Object.fromEntries(answers)));

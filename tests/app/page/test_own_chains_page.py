@@ -1,0 +1,71 @@
+"""Rods that strike rods, and rods one behind the other, by exact waves while a slider moves; the server follows."""
+
+import pytest
+
+from .test_own_answers_page import AT_REST, MOVE, READY, flat
+
+CHAIN = """() => {
+  const { frame, own } = strikewave.page, { acting, chain, duration, exact, gaps, match, other, prediction } = frame;
+  const of = (solution) => {
+    const { contacts, cutOff, diagnostics, energy, final, left, peakForce, restitution, targetFinal } = solution;
+    const { steps, raw_peak_force } = diagnostics;
+    return { contacts, cutOff, energy, final, left, peakForce, restitution, steps, raw_peak_force, targetFinal };
+  };
+  const { peakIndentation, residualIndentation, stillTouching } = exact;
+  const figures = { chain, duration, gaps, match, prediction, exact: of(exact), other: other ? of(other) : null };
+  const paths = /^([fg]\\d|(exact|other)(Mass|End|Whole))$/;
+  const drawn = Object.entries(frame).filter(([name, values]) => paths.test(name) && values);
+  const arrays = Object.fromEntries(drawn.map(([name, values]) => [name, [...values]]));
+  const names = [exact.name, other?.name];
+  const said = [acting.toSorted(), peakIndentation, residualIndentation, stillTouching, names, frame.rigid];
+  return { own: own.made.has(frame), figures, arrays, said, force: Math.max(...frame.exactForce) };
+}"""
+MOVE_CHAIN = MOVE.replace("()];", f"(), ({CHAIN})()];")
+
+
+@pytest.mark.parametrize(
+    "query, name, values",
+    [
+        ("?scene=two-equal-rods", "speed", [2.0, 0.7]),
+        ("?scene=two-unequal-rods", "speed", [1.3]),
+        ("?scene=two-unequal-rods", "restitution", [0.3]),
+        ("?scene=figure-4.2", "speed", [3.0]),
+        ("?scene=figure-4.4&method=modal", "speed", [3.0]),
+        ("?scene=figure-4.5", "speed", [3.0]),
+        ("?scene=figure-4.8&layout=opening", "speed", [0.4]),
+        ("?scene=stepped-rod", "speed", [2.0]),
+        ("?scene=split-hopkinson", "speed", [5.0]),
+        ("?scene=rod-with-gap", "mass_ratio", [1.0, 0.7]),
+        ("?scene=rod-with-gap", "speed", [2.0]),
+        ("?scene=rod-with-end-mass", "mass_ratio", [3.0, 0.4]),
+        ("?scene=rod-with-end-mass", "restitution", [0.5]),
+        ("?scene=semi-infinite-rod", "mass_ratio", [0.6, 4.0]),
+        ("?scene=figure-4.1&layout=opening", "mass_ratio", [3.0]),
+    ],
+)
+def test_it_is_answered_as_the_server_does(open_page, query, name, values):
+    page = open_page(query)
+    page.wait(READY)
+    seen, _, before = page.evaluate(MOVE_CHAIN, [name, values])
+    assert [[made, value] for made, value, _ in seen] == [[True, value] for value in values]
+    page.wait(AT_REST, [name, values[-1]])
+    after = page.evaluate(CHAIN)
+    assert before["own"] and not after["own"] and before["said"] == after["said"]
+    close = 1e-11
+    exact, there = before["figures"], after["figures"]
+    other, beside = exact.pop("other"), there.pop("other")
+    assert flat(exact) == pytest.approx(flat(there), rel=close, abs=close, nan_ok=True)
+    assert flat(other) == pytest.approx(flat(beside), rel=1e-9, abs=1e-9, nan_ok=True)  # chatter enlarges rounding
+    assert sorted(before["arrays"]) == sorted(after["arrays"])
+    for array, found in before["arrays"].items():
+        assert found == pytest.approx(after["arrays"][array], abs=2e-6 * max(map(abs, found))), array
+    assert before["force"] == pytest.approx(after["force"], rel=2e-3)  # at the instants that either draws
+
+
+@pytest.mark.parametrize("name, value", [("law", "hertz"), ("modes", 20)])
+def test_what_the_kernel_does_not_know_is_left_to_the_server(open_page, name, value):
+    page = open_page("?scene=two-unequal-rods")
+    page.wait(READY)
+    page.answered(lambda: page.evaluate(f"() => strikewave.page.controls.send('{name}', {value!r})"))
+    assert page.header("chosen")[name] == value
+    assert page.evaluate("() => strikewave.page.own.count") == 0
