@@ -182,7 +182,7 @@ export class AxialView {
     const strikes = first && frame.impactor.kind !== 'pulse';
     const title = text('opening.rows', { what: frame.rods.length > 1 ? 'rods' : 'rod' });
     const about =
-      frame.rods.length === 1 && frame.rods[0].mirror
+      frame.rods.length === 1 && frame.rods[0].mirror && !times.bare
         ? text('opening.trip', { trip: engineering(frame.trip, 's') })
         : '';
     const clock = times.shown;

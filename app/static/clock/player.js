@@ -56,6 +56,7 @@ export class Player {
   perSecond = 1; // units of time in a second of playback
   usual = 1;
   until = Infinity;
+  limit = Infinity; // beyond which the clock does not go, whoever asks
   last = 0; // when the last frame was drawn
   playing = false;
   played = false; // ever, by hand
@@ -148,7 +149,7 @@ export class Player {
     if (other && time !== null) this.#stand(time / unit - start);
     this.was = kind;
     this.scene = String(scene);
-    this.t = Math.min(this.t, this.duration);
+    this.t = Math.min(this.t, this.duration, this.limit);
     this.label();
     this.go(this.t);
   }
@@ -167,7 +168,14 @@ export class Player {
   /** @returns {[low: number, high: number]} the stretch of time that the time bar spans: that which charts show */
   get bar() {
     const [low, high] = this.score.range().map((t) => Math.min(Math.max(t - this.start, 0), this.duration));
-    return high > low ? [low, high] : [0, this.duration];
+    const end = Math.min(high, this.limit || high);
+    return end > low ? [low, end] : [0, this.duration];
+  }
+  /** @param {number} limit */
+  bound(limit) {
+    this.limit = limit;
+    this.go(this.t);
+    this.mark();
   }
   /** Where the clock and the events are, on the time bar. */
   mark() {
@@ -191,7 +199,7 @@ export class Player {
   }
   /** Play from the beginning, waiting at every event; the second time round without. */
   tour() {
-    if (this.stands) return;
+    if (this.stands || !this.limit) return;
     this.touring = true;
     this.waited = 0;
     this.go(0);
@@ -247,7 +255,7 @@ export class Player {
       this.label();
       return;
     }
-    if (this.t >= this.duration * (1 - LEAST)) this.go(0);
+    if (this.t >= Math.min(this.duration, this.limit) * (1 - LEAST)) this.go(0);
     this.#play();
   }
   loop() {
@@ -291,7 +299,7 @@ export class Player {
     if (this.waits) this.#hold(false);
     this.waits = 0;
     const [low, high] = this.score.range().map((t) => t - this.start);
-    const end = Math.min(this.duration, this.until, this.looping && high > this.t ? high : Infinity);
+    const end = Math.min(this.duration, this.until, this.limit, this.looping && high > this.t ? high : Infinity);
     if (this.t >= end) this.#ended(this.until < Infinity ? 0 : low);
     else this.#onwards(Math.min(this.t + elapsed * this.perSecond * this.pace.speed, end), end);
   }
@@ -321,7 +329,7 @@ export class Player {
   }
   /** @param {number} t */
   go(t) {
-    this.t = Math.min(Math.max(t, 0), this.duration);
+    this.t = Math.min(Math.max(t, 0), this.duration, this.limit);
     this.#place();
     const now = this.t + this.start;
     const real = now * this.trip;
@@ -329,7 +337,7 @@ export class Player {
     const seconds = `${signed(real * factor, 1)} ${unit}`;
     this.clock.dataset.term = this.inTrips && !times.inSeconds ? 'T' : '';
     const [perTrip, chosen] = times.shown;
-    const trips = times.inSeconds ? '' : ` = ${seconds}`;
+    const trips = times.inSeconds || times.bare ? '' : ` = ${seconds}`;
     const time = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : seconds;
     this.clock.textContent = this.said ? this.said(now) : time;
     this.scrub.ariaValueText = this.clock.textContent;

@@ -29,6 +29,7 @@ export const shownIn = (unit, end) => (unit === SECONDS ? unitOfTime(end) : [1, 
 
 class Times {
   inSeconds = kept(NAME, false);
+  bare = false; // in T alone: how long one is, is not said
   trip = 1; // seconds in T
   span = 1; // of all that is shown [T]
   /** @type {(() => void)[]} */ #watchers = [];
@@ -42,7 +43,7 @@ class Times {
    * @returns {[factor: number, unit: string]}
    */
   get shown() {
-    if (!this.inSeconds) return [1, TRIPS];
+    if (!this.inSeconds || this.bare) return [1, TRIPS];
     const [factor, unit] = unitOfTime(this.span * this.trip);
     return [factor * this.trip, unit];
   }

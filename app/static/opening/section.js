@@ -69,6 +69,7 @@ export class Section {
   /** @type {Float64Array} */ ends = new Float64Array(0); // values at the struck place, row by row
   most = 0; // the end of the scale of forces [N]
   /** @type {unknown} */ scene = ''; // that it is of
+  /** @type {Series | null} */ guess = null; // a line of force that was drawn by hand
   words = new Words(); // that are not paler before their time
   /** @type {{ track: Track, place: Place }[]} */ tracks = [];
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
@@ -145,8 +146,9 @@ export class Section {
     c.clip();
     striker(c, this, shown);
     if (!shown.ends && !shown.scale && !shown.feet) struck(c, this, shown);
-    for (const series of shown.forces.toReversed()) this.#curve(c, series);
-    this.#names(c, shown);
+    const forces = this.guess ? [...shown.forces, this.guess] : shown.forces;
+    for (const series of forces.toReversed()) this.#curve(c, series);
+    this.#names(c, forces);
     feet(this, shown);
     traces(c, this, shown);
     c.restore();
@@ -277,9 +279,9 @@ export class Section {
   /**
    * What the curves are, in their colours, where they have come to rest.
    * @param {Context} c
-   * @param {Woven} scene
+   * @param {Series[]} forces
    */
-  #names(c, { forces }) {
+  #names(c, forces) {
     const { base, tall, top } = this.box;
     const named = forces.filter(({ cursor }) => cursor);
     c.font = letters(13, '600 ');
