@@ -303,7 +303,7 @@ export class Page {
     document.getElementById('still')?.remove();
     this.analyses.resume();
     const timed = follow(this, readLink(alone ? window.location.search : '', this));
-    const state = cameBack();
+    const state = this.opening.teaching.start() ? null : cameBack();
     if (state) goOn(this, state);
     else if (!timed && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) this.player.tour();
   }

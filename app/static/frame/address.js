@@ -74,6 +74,8 @@ function viewOf({ compare, frame, layout, opening, player, scenes, view }, momen
  */
 export function queryOf(page, moment = false) {
   const { frame, model } = page;
+  const { lesson } = page.opening.teaching;
+  if (lesson) return lesson.query;
   const panels = page.opening.leads && !page.opening.docked ? [] : panelsOf(model); // where they are seen
   const said = [...choicesOf(model, frame), ...panels, ...viewOf(page, moment)];
   const query = new URLSearchParams([...said, ...page.opening.said(said.some(([key]) => key !== 'gallery'))]);

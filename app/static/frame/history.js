@@ -24,6 +24,7 @@ const TOP = 'history'; // under which the last entry is kept while the page relo
  * @property {import('../opening/opening.js').Plan} plan  of the page
  * @property {string} [tab]  of its dock
  * @property {boolean} [lent]  whether that is open because the scene asks for it
+ * @property {number} [step]  of a lesson
  */
 /** @typedef {State & { strikewave: number }} Entry  and its number */
 
@@ -117,7 +118,8 @@ export class History {
     const { compare, frame, layout, opening } = this.page;
     const { lent, plan } = opening;
     const shown = { chosen: frame.chosen, choices: choicesText(this.page), kept: compare.wanted };
-    return [{ ...shown, plan, lent, tab: layout.tabs.selected }, addressOf(queryOf(this.page))];
+    const step = opening.teaching.lesson?.at;
+    return [{ ...shown, plan, lent, step, tab: layout.tabs.selected }, addressOf(queryOf(this.page))];
   }
   /**
    * The address says what is shown, as a step of its own where the choices have changed.
@@ -132,12 +134,13 @@ export class History {
     const now = performance.now();
     const [state, address] = this.#now();
     const moved = entry && state.choices !== entry.choices;
-    const turned = (entry?.plan ?? state.plan) !== state.plan;
+    const turned = (entry?.plan ?? state.plan) !== state.plan || (entry && entry.step !== state.step);
     const keeps = entry && JSON.stringify(state.kept) !== JSON.stringify(entry.kept ?? []);
     const others = turned || keeps || (entry && entry.chosen.scene !== state.chosen.scene) || (moved && another);
     const soon = !others && now - this.changed < PAUSE;
     if (moved) this.changed = now;
-    if (!entry || this.going || !(moved || others) || soon) this.#replace(state, address);
+    const stays = state.step !== undefined && entry?.step === state.step; // a lesson has a step for each of its own
+    if (!entry || this.going || !(moved || others) || soon || stays) this.#replace(state, address);
     else {
       this.top = entry.strikewave + 1;
       keep(TOP, this.top, true);
@@ -179,6 +182,11 @@ export class History {
   #arrive() {
     const { entry, page } = this;
     if (!entry || !page.frame) return;
+    const { lesson } = page.opening.teaching;
+    if (lesson) {
+      lesson.enter(entry.step ?? 0); // which knows what it shows
+      return;
+    }
     this.going = entry;
     page.opening.come(entry);
     page.goTo(entry.chosen, async () => {

@@ -68,7 +68,12 @@ export class Writing {
 export function listenToKeys(page) {
   const key = (/** @type {KeyboardEvent} */ event) => {
     if (event.altKey || event.defaultPrevented) return;
-    if (page.help.key(event, taken(event)) || page.scenes.key(event, taken(event))) return;
+    if (page.help.key(event, taken(event))) return;
+    if (page.opening.teaching.on) {
+      if (!taken(event) && !event.ctrlKey && !event.metaKey && page.player.key(event)) event.preventDefault();
+      return; // all else would lead out of the lesson
+    }
+    if (page.scenes.key(event, taken(event))) return;
     if (event.ctrlKey || event.metaKey) {
       if (page.history.key(event)) event.preventDefault();
       return;

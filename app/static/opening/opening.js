@@ -4,6 +4,7 @@ import { queryOf } from '../frame/address.js';
 import { alone, carried } from '../browser/home.js';
 import { make } from '../browser/dom.js';
 import { OFFERED, TITLES } from '../frame/layout.js';
+import { lessonIn, Teaching } from '../frame/teaching.js';
 import { keep, kept } from '../browser/store.js';
 import { family, text } from '../text/catalogue.js';
 import { Happens } from './happens.js';
@@ -50,6 +51,7 @@ function changesOf(frame, leading) {
  */
 function planOf(search) {
   if (!alone) return 'laboratory';
+  if (lessonIn(search)) return 'opening';
   const query = new URLSearchParams(search);
   const asked = query.get('layout');
   if (carried) return asked === 'docks' ? asked : 'opening';
@@ -72,6 +74,7 @@ export class Opening {
   constructor(page) {
     this.page = page;
     this.section = new Section(page);
+    this.teaching = new Teaching(page); // a lesson, which has this picture and words of its own
     this.question = make('h2', { tabIndex: -1 });
     this.change = make('button', { type: 'button', className: 'what-if', onclick: () => this.#change() });
     this.ask = make('div', { className: 'ask' }, this.question);
@@ -112,12 +115,13 @@ export class Opening {
   }
   /** What its rows are of; nothing of bodies that have none. */
   get shown() {
-    return this.leads ? (this.page.view.section ?? null) : null;
+    return this.leads && !this.teaching.hides ? (this.page.view.section ?? null) : null;
   }
   /** The chart that is seen below the stage where the others have no room. */
   get #strip() {
     const { view } = this.page;
-    const lent = this.leads && !this.shown && !(this.docked && this.narrow); // whose tabs have it
+    const tabbed = this.docked && this.narrow; // they have it
+    const lent = this.leads && !this.shown && !this.teaching.hides && !tabbed;
     return lent && view.strip && !view.strip.root.hidden ? view.strip.root : null;
   }
   get #bare() {
@@ -126,7 +130,7 @@ export class Opening {
   /** Whether the picture is about as high as wide; on a desk it goes down beside the tracks. */
   get #tall() {
     const { docked, page, shown } = this;
-    return Boolean(shown && !docked && !page.compare.beside && !shown.drawn && shown.tall);
+    return Boolean(shown && !docked && !this.teaching.on && !page.compare.beside && !shown.drawn && shown.tall);
   }
   /** Put the chart there, or have the stage take its room. */
   lend() {
@@ -151,7 +155,7 @@ export class Opening {
    */
   turn(plan, byHand = true) {
     this.lent = false;
-    if (plan === this.plan) return;
+    if (plan === this.plan || this.teaching.on) return;
     this.plan = plan;
     this.led = this.leads;
     if (alone && byHand) keep(PLAN, plan);
@@ -223,6 +227,8 @@ export class Opening {
    */
   load(frame) {
     if (!this.leads) return;
+    this.teaching.lesson?.load(frame);
+    if (this.teaching.on) return;
     if (this.scene !== frame.chosen.scene) this.#arrive(frame);
     this.question.textContent = questionOf(frame, this.page.view.story);
     const changes = this.#changes;
@@ -296,6 +302,7 @@ export class Opening {
     this.due = false;
     this.section.show(t);
     this.happens.mark(t);
+    this.teaching.lesson?.show(t);
   }
   /** The change that is offered: a slider walks there, so that one sees what it does. */
   #change() {

@@ -1,0 +1,94 @@
+// A lesson, which is fetched where the address names one; what it looks like is in the folder of lessons.
+import { make } from '../browser/dom.js';
+import { alone, carried, served } from '../browser/home.js';
+import { late } from '../browser/late.js';
+import { text } from '../text/catalogue.js';
+
+/** @import { Page } from '../page.js' */
+/** @typedef {import('../lesson/lesson.js').Lesson} Lesson */
+
+const SHEETS = ['lesson.css', 'questions.css'];
+const NAME = /^[a-z0-9-]{1,60}$/;
+
+/**
+ * What an address asks for.
+ * @param {string} search
+ * @returns {{ name: string, step: number, language: string } | null}
+ */
+export function lessonIn(search) {
+  const query = new URLSearchParams(search);
+  const name = query.get('lesson');
+  if (name === null || !alone || carried) return null;
+  return { name, step: Math.trunc(Number(query.get('step')) || 1), language: query.get('language') ?? '' };
+}
+
+export class Teaching {
+  /** @type {Lesson | null} */ lesson = null;
+  asked = lessonIn(alone ? window.location.search : '');
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+  }
+  /** Whether there is one, or will be. */
+  get on() {
+    return this.asked !== null;
+  }
+  /** Whether rows and charts are none of what is shown. */
+  get hides() {
+    return this.on && !this.lesson?.rows;
+  }
+  /** Whether there is one; it is then fetched, and nothing of what happens is seen before. */
+  start() {
+    const { asked, page } = this;
+    if (!asked) return false;
+    page.root.style.visibility = 'hidden';
+    page.player.limit = 0;
+    this.#open(asked);
+    return true;
+  }
+  /**
+   * Open it at its step. Without it the page goes on, and says why.
+   * @param {{ name: string, step: number, language: string }} asked
+   */
+  async #open(asked) {
+    const { page } = this;
+    try {
+      this.lesson = await this.#fetched(asked);
+      this.lesson.open();
+      this.lesson.enter(asked.step - 1, false);
+    } catch (error) {
+      this.asked = null;
+      page.player.bound(Infinity);
+      const unknown = error instanceof RangeError;
+      page.complain(text(unknown ? 'lesson.unknown' : 'lesson.lost', { lesson: asked.name.slice(0, 60) }));
+      page.layout.place();
+      page.history.write();
+      page.tell();
+    }
+    page.root.style.visibility = '';
+  }
+  /** @param {string} name */
+  #style(name) {
+    const sheet = make('link', { rel: 'stylesheet' });
+    const styled = new Promise((done) => Object.assign(sheet, { onload: done, onerror: done }));
+    sheet.href = new URL(`../lesson/${name}`, import.meta.url).href;
+    this.page.root.before(sheet);
+    return styled;
+  }
+  /**
+   * @param {{ name: string, language: string }} asked
+   * @returns {Promise<Lesson>}
+   */
+  async #fetched({ language, name }) {
+    if (!NAME.test(name)) throw new RangeError();
+    const { page } = this;
+    const address = served(`lessons/${name}`);
+    if (language) address.searchParams.set('language', language);
+    const [module, answer] = await Promise.all([late('lesson/lesson.js'), fetch(address)]);
+    if (answer.status === 404) throw new RangeError();
+    const record = await answer.json();
+    await Promise.all(SHEETS.map((each) => this.#style(each)));
+    return new module.Lesson(page, record);
+  }
+}

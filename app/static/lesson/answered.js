@@ -1,0 +1,24 @@
+// How a lesson says that an answer is right, or what it has missed: signs and sentences, never a grade.
+import { make } from '../browser/dom.js';
+import { elementsOf } from './nodes.js';
+
+/** @import { Gaps, Piece } from './nodes.js' */
+
+/** @param {boolean} right */
+export const signOf = (right) => make('b', { textContent: right ? '✓' : '○', ariaHidden: 'true' });
+
+/**
+ * @param {boolean} right
+ * @param {Piece[]} say
+ * @param {Gaps} [gaps]
+ */
+export const saidOf = (right, say, gaps = {}) =>
+  make('p', { className: 'lesson-said', tabIndex: -1 }, signOf(right), make('span', {}, ...elementsOf(say, gaps)));
+
+/**
+ * The button that answers.
+ * @param {string} textContent
+ * @param {() => void} onclick
+ */
+export const mainButton = (textContent, onclick) =>
+  make('button', { type: 'button', className: 'lesson-main', textContent, onclick });

@@ -1,0 +1,40 @@
+// In the bar: which lesson this is, its steps, and ways to begin again and to leave it.
+import { make } from '../browser/dom.js';
+import { text } from '../text/catalogue.js';
+
+/** @import { Lesson } from './lesson.js' */
+
+export class Bar {
+  /** @param {Lesson} lesson */
+  constructor(lesson) {
+    this.lesson = lesson;
+    this.name = make('span', { className: 'lesson-name' });
+    this.steps = lesson.record.steps.map((_, k) =>
+      make('button', { type: 'button', textContent: k + 1, onclick: () => lesson.enter(k) }),
+    );
+    const list = make('ol', { className: 'lesson-steps' }, ...this.steps.map((each) => make('li', {}, each)));
+    const act = (/** @type {string} */ sign, /** @type {string} */ code, /** @type {() => void} */ onclick) => {
+      const words = make('span', { className: 'lesson-word', textContent: text(code) });
+      const button = make('button', { type: 'button', onclick }, make('span', { textContent: sign }), words);
+      button.title = button.ariaLabel = text(code);
+      return button;
+    };
+    const again = act('⟲', 'lesson.again', () => lesson.restart());
+    const leave = act('✕', 'lesson.leave', () => location.assign(location.pathname));
+    const acts = make('div', { className: 'lesson-acts' }, again, leave);
+    this.root = make('div', { className: 'lesson-bar' }, this.name, list, acts);
+  }
+  /** Titles of steps that were not reached say too much: they are numbers only. */
+  show() {
+    const { at, progress, record, title } = this.lesson;
+    this.name.textContent = text('lesson.of', { title });
+    this.name.title = title;
+    this.steps.forEach((button, k) => {
+      const reached = k <= progress.far;
+      const name = text('lesson.step', { step: k + 1, reached, title: reached ? record.steps[k].title : '' });
+      button.ariaLabel = button.title = name;
+      button.ariaCurrent = k === at ? 'step' : null;
+      button.classList.toggle('reached', reached);
+    });
+  }
+}

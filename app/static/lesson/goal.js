@@ -1,0 +1,91 @@
+// A slider of the page is moved until something is so; judged while it moves.
+import { make } from '../browser/dom.js';
+import { engineering } from '../text/format.js';
+import { saidOf } from './answered.js';
+import { lastContact, meets } from './events.js';
+import { wordsOf } from './nodes.js';
+
+/** @import { Frame } from '../messages.js' */
+/** @import { Lesson } from './lesson.js' */
+/** @import { Part, Question } from './questions.js' */
+
+/**
+ * Which of the ranges a place is in, or is nearest to, as a ratio where all is positive.
+ * @param {{ range: [number, number] | null }[]} found
+ * @param {number} place
+ */
+export function rangeOf(found, place) {
+  const off = found.map(({ range }) => {
+    if (!range || (place >= range[0] && place <= range[1])) return 0;
+    const end = place < range[0] ? range[0] : range[1];
+    return end > 0 && place > 0 ? Math.abs(Math.log(place / end)) : Math.abs(place - end);
+  });
+  return off.indexOf(Math.min(...off));
+}
+
+/** @implements {Question} */
+export class Goal {
+  said_ = '';
+
+  /**
+   * @param {Lesson} lesson
+   * @param {Part} part
+   */
+  constructor(lesson, part) {
+    this.lesson = lesson;
+    this.part = part;
+    this.answer = lesson.answerOf(part.name, { place: part.start, found: [], done: false });
+    this.says = make('div', { className: 'lesson-says' });
+    this.root = make('div', { className: 'lesson-set' }, this.says);
+  }
+  get done() {
+    return this.answer.done;
+  }
+  /** What the page is to show: the slider where it was left. */
+  get choices() {
+    return { [this.part.slider]: this.answer.place };
+  }
+  /** @param {Frame} frame */
+  load(frame) {
+    const { answer, lesson, part } = this;
+    const place = Number(frame.chosen[part.slider]);
+    if (lesson.coming || !Number.isFinite(place)) return; // another step's choices are still shown
+    answer.place = place;
+    const met = meets(frame, part.goal);
+    const which = met ? rangeOf(part.found, place) : -1;
+    const fresh = which >= 0 && !answer.found.some((/** @type {Part} */ each) => each.which === which);
+    if (fresh) answer.found.push({ which, place });
+    else if (which >= 0) answer.found.find((/** @type {Part} */ each) => each.which === which).place = place;
+    const first = fresh && !answer.done;
+    answer.done ||= which >= 0;
+    this.#say(frame, met, which);
+    if (first) lesson.answered(this.said_, false);
+    else lesson.keep();
+  }
+  /**
+   * @param {Frame} frame
+   * @param {boolean} met
+   * @param {number} which  of the ranges
+   */
+  #say(frame, met, which) {
+    const { answer, lesson, part } = this;
+    const { end, peak, start } = lastContact(frame);
+    const gaps = { start: lesson.timeWords(start), end: lesson.timeWords(end), peak: engineering(peak, 'N') };
+    const whole = answer.found.length >= part.found.length;
+    const rest = whole ? (part.found.length > 1 ? part.all : null) : answer.found.length ? part.more : null;
+    const say = met ? part.found[which].say : part.not_yet;
+    const words = wordsOf(say, gaps);
+    const more = rest ? [saidOf(whole, rest)] : [];
+    for (const each of more) each.classList.add('lesson-more');
+    this.says.replaceChildren(saidOf(met, say, gaps), ...more);
+    const spoken = [words, rest ? wordsOf(rest) : ''].join(' ').trim();
+    if (met && spoken !== this.said_) lesson.speak(spoken); // what is not so yet changes all the time
+    this.said_ = spoken;
+  }
+  said() {
+    const { found } = this.answer;
+    const words = (/** @type {Part} */ { place }) =>
+      make('p', { textContent: this.lesson.valueWords(this.part.slider, place) });
+    return [make('div', {}, ...found.map(words))];
+  }
+}

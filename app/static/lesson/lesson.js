@@ -1,0 +1,322 @@
+// A lesson on the page: its steps, what each shows, and what was answered, which the browser keeps.
+import { make } from '../browser/dom.js';
+import { keep, kept } from '../browser/store.js';
+import { text } from '../text/catalogue.js';
+import { figures } from '../text/format.js';
+import { LABELS } from '../text/words.js';
+import { times } from '../clock/times.js';
+import { Bar } from './bar.js';
+import { eventsOf, timeOf } from './events.js';
+import { elementsOf } from './nodes.js';
+import { asks, questionOf } from './questions.js';
+import { Sketch } from './sketch.js';
+import { summaryOf } from './summary.js';
+
+/** @import { Frame } from '../messages.js' */
+/** @import { Page } from '../page.js' */
+/** @import { Events } from './events.js' */
+/** @import { Part, Question } from './questions.js' */
+
+/**
+ * @typedef {object} Step  as app/lessons/record.py writes it
+ * @property {string} title
+ * @property {string} scene
+ * @property {Record<string, any>} choices
+ * @property {Part[]} parts
+ */
+/**
+ * @typedef {object} Record_
+ * @property {string} lesson
+ * @property {number} version
+ * @property {string} language
+ * @property {string} title
+ * @property {string} title_before
+ * @property {string} next
+ * @property {string} next_title
+ * @property {Step[]} steps
+ */
+/** @typedef {{ far: number, answers: Record<string, any> }} Progress */
+
+const BELOW = ['rod', 'force', 'velocity']; // what the rows show
+const AT_FIRST = ['bodies'];
+const NUMBERS = 'numbers';
+const BARE_T = 'T'; // of `time`: how long one is, is not said
+
+export class Lesson {
+  at = -1;
+  /** @type {Question | null} */ question = null;
+  coming = false; // the scene of this step is still to come
+  /** @type {Events} */ events = {};
+  rows = false; // whether they are seen below the picture
+
+  /**
+   * @param {Page} page
+   * @param {Record_} record
+   */
+  constructor(page, record) {
+    this.page = page;
+    this.record = record;
+    this.key = `lesson.${record.lesson}`;
+    /** @type {Progress} */
+    this.progress = kept(this.key, { far: 0, answers: {} });
+    this.still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.heading = make('h2', { tabIndex: -1, lang: record.language });
+    this.words = make('div', { className: 'lesson-words', lang: record.language });
+    this.asked = make('div', { className: 'lesson-asked', lang: record.language });
+    this.spoken = make('p', { className: 'lesson-spoken', role: 'status' });
+    const column = make('div', { className: 'lesson-column' }, this.words, this.asked);
+    this.root = make('section', { className: 'lesson', ariaLabel: text('lesson.lesson') }, column, this.spoken);
+    this.bar = new Bar(this);
+    this.back = make('button', { type: 'button', textContent: text('lesson.back') });
+    this.back.onclick = () => this.enter(this.at - 1);
+    this.onwards = make('button', { type: 'button', onclick: () => this.enter(this.at + 1) });
+    this.moves = make('nav', { className: 'lesson-moves', ariaLabel: text('lesson.steps') }, this.back, this.onwards);
+  }
+  /** Take the place of the opening's own words. */
+  open() {
+    const { player, root } = this.page;
+    root.classList.add('teaching');
+    player.looping = false;
+    for (const { stage } of Object.values(this.page.views)) if ('striker' in stage) stage.striker = null; // no hand
+    root.querySelector('.topbar h1')?.after(this.bar.root);
+    root.append(this.root, this.moves);
+  }
+  get step() {
+    return this.record.steps[this.at];
+  }
+  /** What the address says of it. */
+  get query() {
+    return `lesson=${this.record.lesson}&step=${this.at + 1}`;
+  }
+  /** The part that says what is shown: that of this step, or before. */
+  get #scene() {
+    return this.step.parts.find(({ kind }) => kind === 'scene') ?? {};
+  }
+  get #after() {
+    return this.step.parts.find(({ kind }) => kind === 'after') ?? {};
+  }
+  /** @returns {string[]} what is shown by now */
+  get #shown() {
+    const parts = this.record.steps.slice(0, this.at + 1).flatMap((step) => step.parts);
+    return parts.findLast(({ kind, show }) => kind === 'scene' && show)?.show ?? AT_FIRST;
+  }
+  /** Its title, which says nothing that is asked first. */
+  get title() {
+    const { steps, title, title_before: before } = this.record;
+    const first = steps.flatMap((step) => step.parts).find(asks);
+    return first && !this.progress.answers[first.name]?.done ? before : title;
+  }
+  /** Whether the visitor has been at a later step. */
+  get looked() {
+    return this.progress.far > this.at;
+  }
+  /**
+   * What was answered to a question, to be changed and kept.
+   * @template Answer
+   * @param {string} name
+   * @param {Answer} fresh
+   * @returns {any}
+   */
+  answerOf(name, fresh) {
+    return (this.progress.answers[name] ??= JSON.parse(JSON.stringify(fresh)));
+  }
+  keep() {
+    keep(this.key, this.progress);
+  }
+  restart() {
+    this.progress = { far: 0, answers: {} };
+    this.keep();
+    this.enter(0);
+  }
+  /**
+   * A time in T, as it is written.
+   * @param {number} t
+   */
+  timeWords(t) {
+    return `${figures(Number(t.toFixed(2)), 4)} T`;
+  }
+  /**
+   * A choice of the page with its name.
+   * @param {string} name
+   * @param {number} value
+   */
+  valueWords(name, value) {
+    const { title, unit = '' } = LABELS[name];
+    return text('lesson.value', { title, value: figures(value), unit });
+  }
+  /** @param {string} sentence */
+  speak(sentence) {
+    this.spoken.textContent = sentence;
+  }
+  /**
+   * @param {number} at
+   * @param {boolean} [focus]
+   */
+  enter(at, focus = true) {
+    const { page, progress, record } = this;
+    this.question?.chart?.remove();
+    this.at = Math.min(Math.max(at, 0), record.steps.length - 1);
+    progress.far = Math.max(progress.far, this.at);
+    this.coming = true;
+    page.player.bound(0);
+    this.speak('');
+    this.#render();
+    this.keep();
+    if (focus) this.heading.focus();
+    this.#go();
+    page.history.write();
+  }
+  /**
+   * To what this step shows, by the exact method alone where there is one.
+   * @param {boolean} [exact]
+   */
+  #go(exact = true) {
+    const { at, page, step } = this;
+    const method = page.model.spec.method.exact;
+    const own = exact && method ? { method } : {};
+    const wanted = { scene: step.scene, ...own, ...step.choices, ...this.question?.choices };
+    page.goTo(wanted, (frame) => {
+      if (at !== this.at || !this.coming) return;
+      if (frame) this.#arrive(frame);
+      else if (exact) this.#go(false);
+    });
+  }
+  /** @param {Frame} frame  of this step */
+  #arrive(frame) {
+    this.coming = false;
+    this.load(frame);
+    this.#begin();
+  }
+  #render() {
+    const { step } = this;
+    const part = step.parts.find(asks);
+    this.question = part ? questionOf(this, part) : null;
+    this.heading.textContent = step.title;
+    const texts = step.parts.filter(({ kind }) => kind === 'text');
+    this.words.replaceChildren(this.heading, ...texts.flatMap(({ nodes }) => elementsOf(nodes)));
+    this.tail = make('div', { className: 'lesson-after' });
+    this.asked.replaceChildren(...(this.question ? [this.question.root] : []), this.tail);
+    this.root.scrollTop = 0;
+    this.#follow();
+    this.arrange();
+  }
+  /** What comes behind the answer, and where one can go. */
+  #follow() {
+    const { at, question, record } = this;
+    const last = at === record.steps.length - 1;
+    const open = question && !question.done;
+    const sums = this.step.parts.filter(({ kind }) => kind === 'summary').map((part) => summaryOf(this, part));
+    const nodes = !open && this.#laid ? elementsOf(this.#after.nodes ?? []) : [];
+    this.tail?.replaceChildren(...nodes, ...sums, ...(open ? [] : this.#numbers()));
+    this.back.disabled = at === 0;
+    this.onwards.hidden = last;
+    this.onwards.textContent = text(open ? 'lesson.skip' : 'lesson.next');
+    this.onwards.classList.toggle('ready', !open);
+    this.bar.show();
+  }
+  /** What a sketch explains, it explains beside the rod. */
+  get #laid() {
+    return !(this.question instanceof Sketch) || this.question.laid;
+  }
+  /** The figures of the impact, which are no riddle any more. */
+  #numbers() {
+    if (!this.#shown.includes(NUMBERS) || this.coming || !this.page.frame) return [];
+    return [...this.page.story.numbers.querySelectorAll('table')].map((table) => table.cloneNode(true));
+  }
+  /** What is seen below the picture, and which sliders. */
+  arrange() {
+    const { page, question } = this;
+    const chart = question?.chart && !(question instanceof Sketch && question.laid) ? question.chart : null;
+    this.rows = !chart && this.#shown.some((name) => BELOW.includes(name));
+    const { root } = page;
+    root.classList.toggle('sketching', Boolean(chart));
+    if (chart && !chart.isConnected) root.append(chart);
+    if (!chart) question?.chart?.remove();
+    page.opening.section.guess = question instanceof Sketch && question.laid ? question.series : null;
+    const slider = Object.keys(question?.choices ?? {});
+    this.sliders = [...new Set([...slider, ...(this.#scene.sliders ?? [])])];
+    page.controls.lead(this.sliders);
+    root.classList.toggle('slides', this.sliders.length > 0);
+    root.classList.toggle('waits', Boolean(chart && !question?.done));
+    this.#bare();
+    if (page.frame) page.layout.place();
+    question?.draw?.();
+    this.#follow();
+  }
+  /** How long a T is, is no longer a riddle once it is answered. */
+  #bare() {
+    times.bare = this.#scene.time === BARE_T && !this.question?.done;
+    this.page.root.classList.toggle('untimed', times.bare);
+  }
+  /** @param {[number | string, number | string] | null} [span] */
+  #span(span) {
+    const [from, to] = (span ?? []).map((time) => timeOf(time, this.events));
+    return from === undefined || !(to > from) ? null : [from, to];
+  }
+  /** How far one may look before one has said what happens. */
+  #limit() {
+    const { at, play } = this.#scene;
+    const { player } = this.page;
+    if (!this.question?.predicts || this.question.done) return Infinity;
+    if (this.question.chart) return 0;
+    const end = this.#span(play)?.[1] ?? ((at ?? null) === null ? NaN : timeOf(at, this.events));
+    return Number.isFinite(end) ? Math.max(end - player.start, 0) : Infinity;
+  }
+  #begin() {
+    const { player } = this.page;
+    player.bound(this.#limit());
+    const done = this.question?.done;
+    const after = this.#after;
+    const part = done && (after.play || (after.at ?? null) !== null) ? after : this.#scene;
+    const at = part.at ?? (done ? part.play?.[1] : null) ?? null;
+    if (at !== null) this.stand(timeOf(at, this.events));
+    else if (!done && part.play) this.play(part.play);
+    else this.stand(0);
+  }
+  /** @param {[number | string, number | string]} span */
+  play(span) {
+    const found = this.#span(span);
+    if (!found) return;
+    const { player } = this.page;
+    const [from, to] = found.map((t) => Math.min(Math.max(t - player.start, 0), player.duration));
+    if (this.still || to <= from) this.stand(to + player.start);
+    else player.through(from, to, (to - from) / player.usual);
+  }
+  /** @param {number} t  from the first touch on */
+  stand(t) {
+    const { player } = this.page;
+    if (player.playing) player.toggle();
+    player.go(t - player.start);
+  }
+  /**
+   * A question is answered: what happens may be seen.
+   * @param {string} sentence  that is spoken
+   * @param {boolean} [shows]  whether it is played
+   */
+  answered(sentence, shows = true) {
+    const { page, question } = this;
+    this.keep();
+    page.player.bound(Infinity);
+    this.arrange();
+    if (sentence) this.speak(sentence);
+    if (!shows) return;
+    const said = this.asked.querySelector('.lesson-said, .lesson-judged');
+    if (said instanceof HTMLElement) said.focus({ preventScroll: true });
+    const { at, play } = this.#after;
+    if (play) this.play(play);
+    else if ((at ?? null) !== null) this.stand(timeOf(at, this.events));
+    else if (question instanceof Sketch) this.play([0, question.drawn.until]);
+    else if (this.#scene.play) this.play(this.#scene.play);
+  }
+  /** @param {Frame} frame  that is shown now */
+  load(frame) {
+    this.events = eventsOf(frame);
+    if (this.coming) return;
+    this.page.controls.lead(this.sliders ?? []);
+    this.question?.load?.(frame);
+  }
+  /** @param {number} t */
+  show(t) {
+    this.question?.show?.(t);
+  }
+}

@@ -1,0 +1,313 @@
+// A line over time is drawn before it is seen: by pointer, by keys, or as points. Then it is laid over what happens.
+import { cleared } from '../charts/canvas.js';
+import { make } from '../browser/dom.js';
+import { family, text } from '../text/catalogue.js';
+import { figures } from '../text/format.js';
+import { mainButton, signOf } from './answered.js';
+import * as drawing from './drawing.js';
+import { curveOf, timeOf, valueOf } from './events.js';
+import { judged } from './judge.js';
+import { Drawn, pointsOf } from './line.js';
+import { elementsOf, wordsOf } from './nodes.js';
+
+/** @import { Frame } from '../messages.js' */
+/** @import { Judgement } from './judge.js' */
+/** @import { Lesson } from './lesson.js' */
+/** @import { Part, Question } from './questions.js' */
+
+const FACTORS = /** @type {Record<string, number>} */ ({ kN: 1e-3 }); // that a unit has of one of SI
+const TRACKS = family('lesson.track');
+const SHORT = 0.1; // T at the end, that a line may leave out
+
+/** @implements {Question} */
+export class Sketch {
+  predicts = true;
+  /** @type {import('../charts/scale.js').Samples} */ curve = { x: [], y: [] };
+  /** @type {Judgement[]} */ judgements = [];
+  /** @type {drawing.Paper | null} */ paper = null;
+  seen = Infinity; // until when it is seen what happens [T]
+  unrolling = false;
+  lit = -1; // the sentence that is pointed at
+  /** @type {[t: number, value: number] | null} */ near = null; // a pointer
+  finger = false;
+  tools = make('div', { className: 'sketch-tools' });
+  canvas = make('canvas', { ariaHidden: 'true' });
+  plot = make('div', { className: 'sketch-plot', tabIndex: 0 });
+  sheet = make('div', { className: 'sketch-sheet' });
+  points = make('div', { className: 'sketch-points', hidden: true });
+  hint = make('p', { className: 'lesson-hint' });
+  show_ = mainButton(text('lesson.show'), () => this.#tell());
+  /** @type {HTMLElement[]} */ sentences = [];
+
+  /**
+   * @param {Lesson} lesson
+   * @param {Part} part
+   */
+  constructor(lesson, part) {
+    this.lesson = lesson;
+    this.part = part;
+    this.answer = lesson.answerOf(part.name, { line: null, done: false, laid: false, late: false, outcomes: [] });
+    const until = timeOf(part.until, lesson.events) || 1;
+    this.drawn = new Drawn({ axis: part.axis, given: part.given, until }, this.answer.line);
+    this.root = make('div', { className: 'lesson-sketch' });
+    this.name = text('lesson.axis', { track: TRACKS[part.track], unit: part.unit });
+    this.chart = this.#chart();
+    this.#render();
+  }
+  get done() {
+    return this.answer.done;
+  }
+  /** Whether the rows stand in the place of the chart. */
+  get laid() {
+    return this.answer.done && this.answer.laid;
+  }
+  #chart() {
+    const { canvas, name, plot, points, sheet, tools } = this;
+    const tool = (/** @type {string} */ code, /** @type {() => void} */ onclick) =>
+      make('button', { type: 'button', textContent: text(code), onclick });
+    tools.append(
+      tool('lesson.undo', () => this.#undo()),
+      tool('lesson.clear', () => [this.drawn.clear(), this.#changed()]),
+      tool('lesson.type', () => (points.hidden = !points.hidden)),
+    );
+    const head = make('div', { className: 'sketch-head' }, make('span', { textContent: name }), tools);
+    plot.setAttribute('role', 'application');
+    plot.ariaLabel = text('lesson.chart', { name, until: this.lesson.timeWords(this.drawn.until) });
+    sheet.append(canvas, plot);
+    points.append(...this.#typing());
+    this.#listen();
+    new ResizeObserver(() => this.draw()).observe(sheet);
+    return make('section', { className: 'sketch', ariaLabel: name }, head, sheet, points);
+  }
+  #typing() {
+    const area = make('textarea', { rows: 5, spellcheck: false, placeholder: '0 37\n0.9 20\n1 60' });
+    const label = make('label', {}, text('lesson.points', { unit: this.part.unit }), area);
+    const act = () => {
+      const points = pointsOf(area.value);
+      this.drawn.type(points);
+      this.#changed();
+      this.lesson.speak(text('lesson.typed', { count: points.length }));
+    };
+    const draw = make('button', { type: 'button', className: 'whole', textContent: text('lesson.draw'), onclick: act });
+    return [label, draw];
+  }
+  #listen() {
+    const { plot } = this;
+    const at = (/** @type {PointerEvent} */ { clientX, clientY }) => {
+      const { left, top } = plot.getBoundingClientRect();
+      return this.paper?.at(clientX - left, clientY - top) ?? null;
+    };
+    // Else a quick stroke counts as a fling, and swallows the next tap.
+    plot.addEventListener('touchstart', (event) => this.done || event.preventDefault(), { passive: false });
+    plot.onpointerdown = (event) => {
+      const here = at(event);
+      if (event.button !== 0 || !here) return;
+      if (this.done) {
+        this.lesson.stand(here[0]);
+        return;
+      }
+      plot.setPointerCapture(event.pointerId);
+      this.finger = event.pointerType === 'touch';
+      this.drawn.pen = null;
+      this.drawn.stroke();
+      this.drawn.ink(here, here);
+      this.near = here;
+      this.draw();
+      plot.onpointermove = (moved) => {
+        for (const each of moved.getCoalescedEvents?.() ?? [moved]) this.#stroke(at(each));
+        this.#stroke(at(moved));
+        this.draw();
+      };
+    };
+    plot.onpointerup = plot.onpointercancel = () => {
+      if (!plot.onpointermove) return;
+      plot.onpointermove = null;
+      this.near = null;
+      this.#changed();
+    };
+    plot.onkeydown = (event) => this.#key(event);
+    plot.onblur = () => this.draw();
+    plot.onfocus = () => this.draw();
+  }
+  /** @param {[t: number, value: number] | null} to */
+  #stroke(to) {
+    if (!to || !this.near) return;
+    this.drawn.ink(this.near, to);
+    this.near = to;
+  }
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    if (this.done || event.altKey) return;
+    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z') {
+      event.preventDefault();
+      this.#undo();
+      return;
+    }
+    if (event.ctrlKey || event.metaKey || !this.drawn.key(event.key, event.shiftKey)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { lifted } = this.drawn;
+    this.#changed();
+    this.lesson.speak(event.key === ' ' ? text('lesson.pen', { lifted }) : this.#words(this.drawn.take()));
+  }
+  /** @param {[t: number, value: number]} point */
+  #words([t, value]) {
+    return text('lesson.point', { time: this.lesson.timeWords(t), value: figures(value, 3), unit: this.part.unit });
+  }
+  #undo() {
+    this.drawn.undo();
+    this.#changed();
+  }
+  #changed() {
+    this.answer.line = this.drawn.kept;
+    this.lesson.keep();
+    this.#enable();
+    this.draw();
+  }
+  get #whole() {
+    return this.drawn.reach >= this.drawn.until - SHORT;
+  }
+  #enable() {
+    this.show_.disabled = !this.#whole;
+    this.hint.textContent = this.#whole
+      ? ''
+      : text('lesson.draw-on', { until: this.lesson.timeWords(this.drawn.until) });
+  }
+  #render() {
+    const { answer } = this;
+    this.tools.hidden = answer.done;
+    this.points.hidden = true;
+    this.sheet.classList.toggle('done', answer.done);
+    if (!answer.done) {
+      this.root.replaceChildren(this.show_, this.hint);
+      this.#enable();
+      return;
+    }
+    this.sentences = this.judgements.map((judgement, k) => this.#sentence(judgement, k));
+    const list = make('ul', { className: 'lesson-judged', tabIndex: -1 }, ...this.sentences);
+    const lay = mainButton(text(answer.laid ? 'lesson.stand' : 'lesson.lay'), () => this.#lay());
+    lay.classList.toggle('plain', answer.laid);
+    const late = make('p', { className: 'lesson-hint', textContent: text('lesson.late') });
+    this.root.replaceChildren(list, ...(answer.late ? [late] : []), lay);
+    this.#reveal();
+  }
+  /**
+   * @param {Judgement} judgement
+   * @param {number} k
+   */
+  #sentence(judgement, k) {
+    const { outcome, span, yours } = judgement;
+    const light = (/** @type {number} */ lit) => {
+      this.lit = lit;
+      this.draw();
+    };
+    const words = make('span', {}, ...elementsOf(this.part.judges[k].says[outcome] ?? [], this.#gaps(judgement)));
+    const sign = signOf(outcome === 'yes');
+    const button = make('button', { type: 'button' }, sign, words);
+    button.onclick = () => this.lesson.stand(Number.isFinite(yours) ? yours : span[0]);
+    button.onpointerenter = button.onfocus = () => light(k);
+    button.onpointerleave = button.onblur = () => light(-1);
+    return make('li', {}, button);
+  }
+  /** @param {Judgement} judgement */
+  #gaps({ right, yours }) {
+    return { yours: this.lesson.timeWords(yours), true: this.lesson.timeWords(right) };
+  }
+  #tell() {
+    if (!this.#whole) return;
+    const { answer, lesson } = this;
+    this.drawn.pen = this.near = null;
+    Object.assign(answer, { line: this.drawn.kept, done: true, late: lesson.looked });
+    this.load(lesson.page.frame);
+    answer.outcomes = this.judgements.map(({ outcome, right, yours }) => ({ outcome, right, yours }));
+    this.unrolling = !lesson.still;
+    this.seen = this.unrolling ? 0 : Infinity;
+    this.#render();
+    lesson.answered(this.unrolling ? '' : this.#all());
+    this.draw();
+  }
+  #all() {
+    return this.judgements
+      .map((each, k) => wordsOf(this.part.judges[k].says[each.outcome] ?? [], this.#gaps(each)))
+      .join(' ');
+  }
+  #lay() {
+    this.answer.laid = !this.answer.laid;
+    this.unrolling = false;
+    this.seen = Infinity;
+    this.lesson.keep();
+    this.#render();
+    this.lesson.arrange();
+  }
+  /** @param {Frame} frame */
+  load(frame) {
+    if (this.lesson.coming || !this.done) return; // nothing of what happens is here before
+    const { judges, track, unit } = this.part;
+    this.curve = curveOf(frame, track, FACTORS[unit] ?? 1);
+    const { events } = this.lesson;
+    const criteria = judges.map((/** @type {Part} */ each) => ({
+      ...each,
+      at: Array.isArray(each.at) ? each.at.map((time) => timeOf(time, events)) : timeOf(each.at, events),
+    }));
+    this.judgements = judged(this.drawn.line, criteria, valueOf(this.curve));
+    this.#render();
+    this.draw();
+  }
+  /** The own line as a curve, to lie beside the rod in its unit of SI. */
+  get series() {
+    const factor = 1 / (FACTORS[this.part.unit] ?? 1);
+    const all = this.drawn.line.map((value, k) => [0.01 * k, value]).filter(([, value]) => !Number.isNaN(value));
+    const style = /** @type {const} */ ('keptB');
+    return { x: all.map(([t]) => t), y: all.map(([, value]) => value), factor, style, cursor: text('lesson.yours') };
+  }
+  /** @param {number} t */
+  show(t) {
+    if (!this.unrolling) return;
+    const { page } = this.lesson;
+    const over = t >= this.drawn.until - 1e-6 || !page.player.playing;
+    this.seen = over && this.seen > 0 ? Infinity : Math.max(this.seen, t);
+    this.unrolling = this.seen < Infinity;
+    if (!this.unrolling) this.lesson.speak(this.#all());
+    this.#reveal();
+    this.draw();
+  }
+  /** Sentences come when the clock is there. */
+  #reveal() {
+    this.sentences.forEach((each, k) => {
+      const { ring, to } = this.judgements[k];
+      each.classList.toggle('later', Math.max(ring[0], to[0]) > this.seen);
+    });
+  }
+  draw() {
+    const { drawn, lit, done } = this;
+    if (!this.chart.isConnected) return;
+    const sheet = cleared(this.canvas, this.sheet);
+    if (!sheet) return;
+    const { c, height, width } = sheet;
+    const paper = new drawing.Paper(width, height, drawn);
+    this.paper = paper;
+    Object.assign(this.plot.style, {
+      ...{ left: `${paper.left}px`, top: `${paper.top}px` },
+      ...{ width: `${paper.wide}px`, height: `${paper.tall}px` },
+    });
+    drawing.axes(c, paper);
+    if (done) drawing.truth(c, paper, this.curve, this.seen);
+    drawing.own(c, paper, drawn.line, done);
+    if (drawn.given && !done) drawing.dot(c, paper, drawn.given);
+    if (done)
+      this.judgements.forEach((each, k) => {
+        if (Math.max(each.ring[0], each.to[0]) <= this.seen) drawing.mark(c, paper, each, k === lit);
+      });
+    const root = /** @type {Document | ShadowRoot} */ (this.plot.getRootNode());
+    const keys = root.activeElement === this.plot && drawn.pen;
+    const pen = this.near ?? (keys || null);
+    if (pen && !done) drawing.pen(c, paper, pen, this.#words(pen), this.finger && Boolean(this.near));
+  }
+  said() {
+    const lines = this.answer.outcomes.map((/** @type {Judgement} */ each, /** @type {number} */ k) => {
+      const say = this.part.judges[k].says[each.outcome] ?? [];
+      return make('li', {}, signOf(each.outcome === 'yes'), make('span', {}, ...elementsOf(say, this.#gaps(each))));
+    });
+    return [make('ul', { className: 'lesson-judged' }, ...lines)];
+  }
+}
