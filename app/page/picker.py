@@ -10,6 +10,7 @@ from solvers.text.notes import Note
 from ..choices.beam import on_beam
 from ..choices.choices import SCENES
 from ..choices.space import in_space
+from ..lessons.shipped import lesson_names, shipped_lesson
 from ..messages.gallery.cards import CARDS, stored_pictures
 from ..messages.gallery.drawn import HEIGHT, SHADES, WIDTH
 from ..text.refusals import note
@@ -24,8 +25,8 @@ def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
 
 
 def gallery() -> dict[str, Any]:
-    """What the browser makes the gallery of: cards by group, their pictures, and all scenes by heading, each as
-    [name, title, what else it is found by].
+    """What the browser makes the gallery of: cards by group, their pictures, all scenes by heading, each as
+    [name, title, what else it is found by], and lessons, each as [name, title].
     """
     scenes = [
         [heading, [[name, title, _found_by(SCENES[name])] for name, title in listed]]
@@ -33,7 +34,13 @@ def gallery() -> dict[str, Any]:
     ]
     sheet = {"width": WIDTH, "height": HEIGHT, "shades": SHADES}
     cards = [[group, list(names)] for group, names in CARDS.items()]
-    return {"cards": cards, "sheet": sheet, "pictures": stored_pictures(), "scenes": scenes}
+    return {"cards": cards, "sheet": sheet, "pictures": stored_pictures(), "scenes": scenes, "lessons": lessons()}
+
+
+def lessons() -> list[list[str]]:
+    """Those that come with the program, by titles that give no answer away."""
+    found = [shipped_lesson(name) for name in lesson_names()]
+    return [[lesson.lesson, lesson.title_before or lesson.title] for lesson in found]
 
 
 def _found_by(scene: Scene) -> dict[str, Any]:

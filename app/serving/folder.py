@@ -146,6 +146,7 @@ def _gallery(names: set[str]) -> dict[str, Any]:
     cards = [[group, [each for each in all_of if each in names]] for group, all_of in whole["cards"]]
     scenes = [[heading, [each for each in all_of if each[0] in names]] for heading, all_of in whole["scenes"]]
     return whole | {
+        "lessons": [],  # which a server gives
         "cards": [each for each in cards if each[1]],
         "scenes": [each for each in scenes if each[1]],
         "pictures": {name: picture for name, picture in whole["pictures"].items() if name in names},

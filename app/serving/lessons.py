@@ -8,7 +8,7 @@ from tornado.web import HTTPError, RequestHandler
 from solvers.text.catalogue import SOURCE
 
 from ..lessons.record import lesson_record
-from ..lessons.shipped import lesson_files, lesson_names, shipped_lesson
+from ..lessons.shipped import lesson_files, shipped_lesson
 
 MOST_ACCEPTED = 20  # languages that a browser may name
 LANGUAGES = {SOURCE} | {path.name.split(".")[1] for path in lesson_files() if path.name.count(".") == 2}
@@ -30,12 +30,6 @@ def lesson_text(name: str, language: str) -> str:
     """A lesson as JSON, read once. Raises KeyError for a name of none."""
     found = lesson_record(shipped_lesson(name, language))
     return json.dumps(found, ensure_ascii=False, separators=(",", ":"))
-
-
-def listed() -> list[list[str]]:
-    """Names and titles of all, which give nothing away."""
-    lessons = [shipped_lesson(name) for name in lesson_names()]
-    return [[lesson.lesson, lesson.title_before or lesson.title] for lesson in lessons]
 
 
 class Lesson(RequestHandler):

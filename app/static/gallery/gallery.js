@@ -1,7 +1,7 @@
 // All scenes: some as moving pictures with a question each, all by chapter, those of the visitor's own; and a search.
 import { ownQuestion } from '../opening/question.js';
 import { make } from '../browser/dom.js';
-import { carried } from '../browser/home.js';
+import { alone, carried } from '../browser/home.js';
 import { forget, ownScenes } from '../wire/own.js';
 import { family, said, text } from '../text/catalogue.js';
 import { Editor } from './editor.js';
@@ -19,6 +19,7 @@ import { entry, matches } from './search.js';
  * @property {[group: string, scenes: string[]][]} cards
  * @property {Record<string, Part[]>} pictures
  * @property {Sheet} sheet
+ * @property {[name: string, title: string][]} lessons
  * @property {[heading: Note, scenes: [name: string, title: string, found: Found][]][]} scenes
  */
 /** @typedef {{ entry: Entry, root: HTMLElement, button: HTMLButtonElement }} Choice */
@@ -49,7 +50,9 @@ export class Gallery {
     this.heading = make('h2', { id: 'gallery', textContent: text('gallery.title'), tabIndex: -1 });
     const head = make('header', { className: 'gallery-head' }, this.heading, this.search, this.count, close);
     this.own = make('section', { className: 'own' });
-    this.body = make('div', { className: 'gallery-body' }, this.own, ...this.#cards(listed), ...this.#index(listed));
+    this.lessons = lessonsOf(listed);
+    const parts = [this.lessons, ...this.#cards(listed), ...this.#index(listed)];
+    this.body = make('div', { className: 'gallery-body' }, this.own, ...parts);
     this.root = make('dialog', { className: 'gallery' }, head, this.body, this.editor.root);
     this.root.setAttribute('aria-labelledby', 'gallery');
     this.root.onkeydown = (event) => this.#key(event);
@@ -201,6 +204,7 @@ export class Gallery {
       for (const { entry: known } of here) found.add(known.scene);
     }
     this.own.hidden = typed !== '' || Boolean(carried); // only a server reads files
+    this.lessons.hidden = typed !== '' || !this.lessons.querySelector('a');
     this.count.textContent = text('gallery.count', { count: found.size, all: this.all, part: found.size < this.all });
     this.page.history.later();
   }
@@ -238,6 +242,17 @@ export class Gallery {
     const next = inSearch ? choices[0] : nearest(from, choices, event.key);
     (next ?? (event.key === 'ArrowUp' ? this.search : from)).focus();
   }
+}
+
+/**
+ * Lessons, each a link: a page of its own has one.
+ * @param {Listed} listed
+ */
+function lessonsOf({ lessons }) {
+  const links = (alone ? lessons : []).map(([name, title]) =>
+    make('li', {}, make('a', { href: `?lesson=${name}`, className: 'entry', textContent: title })),
+  );
+  return make('section', {}, make('h3', { textContent: text('gallery.lessons') }), make('ul', {}, ...links));
 }
 
 /**
