@@ -67,7 +67,8 @@ export class Lesson {
     const column = make('div', { className: 'lesson-column' }, this.words, this.asked);
     this.root = make('section', { className: 'lesson', ariaLabel: text('lesson.lesson') }, column, this.spoken);
     this.bar = new Bar(this);
-    this.back = make('button', { type: 'button', textContent: text('lesson.back') });
+    const word = make('span', { className: 'lesson-word', textContent: text('lesson.back') });
+    this.back = make('button', { type: 'button', ariaLabel: text('lesson.back') }, '← ', word);
     this.back.onclick = () => this.enter(this.at - 1);
     this.onwards = make('button', { type: 'button', onclick: () => this.enter(this.at + 1) });
     this.moves = make('nav', { className: 'lesson-moves', ariaLabel: text('lesson.steps') }, this.back, this.onwards);
@@ -77,6 +78,7 @@ export class Lesson {
     const { player, root } = this.page;
     root.classList.add('teaching');
     player.looping = false;
+    this.page.opening.section.lone = true;
     for (const { stage } of Object.values(this.page.views)) if ('striker' in stage) stage.striker = null; // no hand
     root.querySelector('.topbar h1')?.after(this.bar.root);
     root.append(this.root, this.moves);
@@ -163,23 +165,12 @@ export class Lesson {
     this.#render();
     this.keep();
     if (focus) this.heading.focus();
-    this.#go();
-    page.history.write();
-  }
-  /**
-   * To what this step shows, by the exact method alone where there is one.
-   * @param {boolean} [exact]
-   */
-  #go(exact = true) {
-    const { at, page, step } = this;
-    const method = page.model.spec.method.exact;
-    const own = exact && method ? { method } : {};
-    const wanted = { scene: step.scene, ...own, ...step.choices, ...this.question?.choices };
-    page.goTo(wanted, (frame) => {
-      if (at !== this.at || !this.coming) return;
-      if (frame) this.#arrive(frame);
-      else if (exact) this.#go(false);
+    const { choices, scene } = this.step;
+    const own = this.at;
+    page.goTo({ scene, ...choices, ...this.question?.choices }, (frame) => {
+      if (frame && own === this.at) this.#arrive(frame);
     });
+    page.history.write();
   }
   /** @param {Frame} frame  of this step */
   #arrive(frame) {
@@ -232,7 +223,7 @@ export class Lesson {
     root.classList.toggle('sketching', Boolean(chart));
     if (chart && !chart.isConnected) root.append(chart);
     if (!chart) question?.chart?.remove();
-    page.opening.section.guess = question instanceof Sketch && question.laid ? question.series : null;
+    page.opening.section.guess = this.#guess();
     const slider = Object.keys(question?.choices ?? {});
     this.sliders = [...new Set([...slider, ...(this.#scene.sliders ?? [])])];
     page.controls.lead(this.sliders);
@@ -242,6 +233,15 @@ export class Lesson {
     if (page.frame) page.layout.place();
     question?.draw?.();
     this.#follow();
+  }
+  /** The line that was drawn, beside the rod: where it was laid there, and in the end. */
+  #guess() {
+    const { question, record, step } = this;
+    const last = step.parts.some(({ kind }) => kind === 'summary');
+    const parts = last ? record.steps.flatMap((each) => each.parts).filter(asks) : [];
+    const questions = last ? parts.map((part) => questionOf(this, part)) : [question];
+    const sketch = questions.find((each) => each instanceof Sketch);
+    return sketch && (sketch.laid || (last && sketch.done)) ? sketch.series : null;
   }
   /** How long a T is, is no longer a riddle once it is answered. */
   #bare() {

@@ -70,6 +70,7 @@ export class Section {
   most = 0; // the end of the scale of forces [N]
   /** @type {unknown} */ scene = ''; // that it is of
   /** @type {Series | null} */ guess = null; // a line of force that was drawn by hand
+  lone = false; // without other solutions beside the first
   words = new Words(); // that are not paler before their time
   /** @type {{ track: Track, place: Place }[]} */ tracks = [];
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
@@ -103,6 +104,7 @@ export class Section {
    * @param {Scene | null} shown  nothing of bodies that have no rows
    */
   draw(shown) {
+    if (this.lone && shown?.drawn) shown = { ...shown, forces: shown.forces.slice(0, 1) };
     this.shown = shown;
     this.root.hidden = !shown;
     this.page.root.classList.toggle('rowless', !shown);
