@@ -86,7 +86,7 @@ function say(c, words, x, y, color, align = 'left') {
  */
 export function axes(c, paper) {
   const { axis, bottom, left, tall, top, until, wide } = paper;
-  c.font = letters(12);
+  c.font = letters(13);
   c.lineWidth = 1;
   const across = ticks(0, until, wide / (TICK.across * zoom));
   const down = ticks(axis[0], axis[1], tall / (TICK.down * zoom));

@@ -79,6 +79,7 @@ export class Lesson {
     root.classList.add('teaching');
     player.looping = false;
     this.page.opening.section.lone = true;
+    this.page.opening.question = this.heading; // to which one skips
     for (const { stage } of Object.values(this.page.views)) if ('striker' in stage) stage.striker = null; // no hand
     root.querySelector('.topbar h1')?.after(this.bar.root);
     root.append(this.root, this.moves);
@@ -212,7 +213,10 @@ export class Lesson {
   /** The figures of the impact, which are no riddle any more. */
   #numbers() {
     if (!this.#shown.includes(NUMBERS) || this.coming || !this.page.frame) return [];
-    return [...this.page.story.numbers.querySelectorAll('table')].map((table) => table.cloneNode(true));
+    const tables = [...this.page.story.numbers.querySelectorAll('table')].map((table) => table.cloneNode(true));
+    const root = make('div', { className: 'lesson-scroll', role: 'group', tabIndex: 0 }, ...tables);
+    root.ariaLabel = text('lesson.numbers');
+    return [root];
   }
   /** What is seen below the picture, and which sliders. */
   arrange() {
