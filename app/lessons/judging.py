@@ -98,9 +98,11 @@ class _Line:
 
 
 def _falls(line: _Line, judge: Judge, when: tuple[float, float], sign: float = 1.0) -> Verdict:
-    """Nowhere above what it was before, by more than the slack; close to both ends it may be anything."""
+    """Nowhere above what it was before, by more than the slack, and in the end below; close to both ends it may be
+    anything."""
     part = sign * line.between(when[0] + judge.within, when[1] - judge.within)
-    fine = part.size == 0 or (part - np.minimum.accumulate(part)).max() <= judge.slack
+    level = part.size > 0 and part[0] - part[-1] <= judge.slack
+    fine = part.size == 0 or (not level and (part - np.minimum.accumulate(part)).max() <= judge.slack)
     return Verdict("yes" if fine else "no")
 
 

@@ -122,7 +122,7 @@ def _scenes(names: list[str], laboratory: str, language: str) -> str:
     known = {law["name"] for header, _ in parts for law in json.loads(header)["laws"]}
     laws = [name for name in spec["law"]["options"] if name in known]
     head = {
-        "texts": {"language": language, "texts": page(language).texts},
+        "texts": {"language": language, "texts": _texts(language)},
         "spec": spec | {"scene": spec["scene"] | {"options": names}, "law": spec["law"] | {"options": laws}},
         "gallery": _gallery(set(names)),
         "kernels": sources(),
@@ -133,6 +133,11 @@ def _scenes(names: list[str], laboratory: str, language: str) -> str:
     text = json.dumps(head, ensure_ascii=False, separators=(",", ":")).encode()
     headers = b"".join(header for header, _ in parts)
     return script("strikewavePacked", len(text).to_bytes(4, "little") + text + headers + b"".join(pool))
+
+
+def _texts(language: str) -> dict[str, str]:
+    """Of the page, but for lessons, which a server gives."""
+    return {code: text for code, text in page(language).texts.items() if not code.startswith("lesson.")}
 
 
 def script(name: str, content: bytes) -> str:

@@ -21,15 +21,14 @@
 /** @typedef {(t: number) => number} Truth */
 
 export const BIN = 0.01; // T: a line has one value for each
-const WINDOW = 10; // values over which a jump rises at most
-const STEEP = 0.6; // of a rise, that a jump has in so short a time
-const BUMP = 0.25; // of a jump, that can be seen
-const REST = 15; // values without force, behind which a rise is a push of its own
-const APART = 10; // values without force, by which they have parted
-const GAP = 5; // between two pushes
-const EDGE = [0.05, 0.08, 0.2]; // T at the ends of a fall: how it begins, and where a jump may be drawn too early
-const LEAST = 0.01; // of the highest value, that is more than nothing
-const FALL = 0.04; // of it, by which a line falls
+export const NOTHING = 0.025; // of the height of the chart: what is drawn below is zero
+const SHORT = 5; // values on either side of a jump, which is steep
+const LONG = 15; // and of a hump, which is not
+const STEEP = 0.6; // of the long rise, that a jump has at least in the short one
+const SLIGHT = 0.4; // of its height, from which a rise is a small jump
+const GAP = 10; // values without force, behind which they have parted
+const BREAK = 3; // values without force between two contacts
+const EXACTLY = 1e-9;
 
 /** @param {number} until  [T] */
 export const blank = (until) => Array.from({ length: Math.round(until / BIN) + 1 }, () => NaN);
@@ -56,106 +55,78 @@ export function joined(line) {
 
 /** A line, and what it is asked for. */
 class Line {
-  /** @param {number[]} line */
-  constructor(line) {
+  /**
+   * @param {number[]} line
+   * @param {number} zero  what is no more than nothing
+   */
+  constructor(line, zero) {
     this.y = joined(line);
-    this.high = Math.max(...this.y.map(Math.abs), 1e-30);
-    this.zero = LEAST * this.high;
+    this.nothing = this.y.map((value) => value <= zero);
   }
   get last() {
     return this.y.length - 1;
   }
   /** @param {number} t */
-  bin(t) {
-    return Math.min(Math.max(binOf(t), 0), this.last);
-  }
-  /** @param {number} t */
   at(t) {
-    return this.y[this.bin(t)];
+    return this.y[Math.min(Math.max(binOf(t), 0), this.last)];
   }
   /**
-   * Whether there is nothing for so many values from one on.
+   * Values of a stretch of time.
    * @param {number} from
-   * @param {number} count
+   * @param {number} to
    */
-  rests(from, count) {
-    const end = Math.min(from + count, this.y.length);
-    for (let k = Math.max(from, 0); k < end; k++) if (this.y[k] > this.zero) return false;
-    return true;
+  between(from, to) {
+    return this.y.slice(Math.max(binOf(from), 0), Math.max(binOf(to) + 1, 0));
   }
-  /** @returns {[first: number, last: number][]} stretches with a force */
-  pushes() {
-    /** @type {[number, number][]} */
-    const found = [];
-    for (let k = 0; k <= this.last; k++) {
-      if (this.y[k] <= this.zero) continue;
-      const before = found[found.length - 1];
-      if (before && k - before[1] <= GAP) before[1] = k;
-      else found.push([k, k]);
-    }
-    return found;
+  /**
+   * Whether there is no force from one bin until before another.
+   * @param {number} from
+   * @param {number} to
+   */
+  rests(from, to) {
+    return this.nothing.slice(Math.max(from, 0), Math.max(to, 0)).every(Boolean);
   }
-  /** When they part for the first time; nothing where they do not. */
+  /** When there is no force for a while, behind the first contact. */
   parts() {
-    const first = this.y.findIndex((value) => value > this.zero);
-    for (let k = first + 1; first >= 0 && k <= this.last - GAP; k++) if (this.rests(k, APART)) return k * BIN;
+    for (let k = GAP; k < this.y.length - GAP; k++) if (this.rests(k, k + GAP) && !this.rests(0, k)) return k * BIN;
     return null;
   }
   /**
-   * Steep rises, but for those from rest.
+   * By how much it grows around a bin.
+   * @param {number} place
+   * @param {number} reach
+   */
+  rise(place, reach) {
+    return this.y[Math.min(place + reach, this.last)] - this.y[Math.max(place - reach, 0)];
+  }
+  /**
+   * Steep rises, but for the beginning, and for those out of a pause.
    * @param {number} least
    */
-  rises(least) {
-    const { last, y } = this;
-    const rise = (/** @type {number} */ k) => y[Math.min(k + WINDOW, last)] - y[k];
+  jumps(least) {
     const found = [];
-    for (let k = 1; k < last; k++) {
-      if (rise(k) < least || this.#fromRest(k)) continue;
-      let best = k;
-      let end = k;
-      while (end < last && rise(end) >= least) {
-        if (rise(end) > rise(best)) best = end;
-        end += 1;
+    /** @type {number[]} */
+    let run = [];
+    for (let k = LONG; k <= this.last; k++) {
+      const rise = this.rise(k, SHORT);
+      if (rise >= Math.max(least, STEEP * this.rise(k, LONG)) && !this.rests(k - LONG, k - SHORT)) run.push(k);
+      else if (run.length) {
+        found.push(this.#jump(run));
+        run = [];
       }
-      found.push({ size: rise(best), t: this.#half(best), whole: this.#whole(best) });
-      k = end + 1;
     }
-    return found;
+    return run.length ? [...found, this.#jump(run)] : found;
   }
   /**
-   * Whether a rise begins where there was no force for some time, or ever.
-   * @param {number} from
+   * How high it is, and when half of it is reached.
+   * @param {number[]} run  of bins
    */
-  #fromRest(from) {
-    const foot = this.#foot(from);
-    return this.y[foot] <= this.zero && (this.rests(foot - REST, REST + 1) || this.rests(0, foot + 1));
-  }
-  /** @param {number} from */
-  #foot(from) {
-    let low = from;
-    while (low > 0 && this.y[low - 1] < this.y[low]) low--;
-    return low;
-  }
-  /**
-   * Where half of a rise is reached.
-   * @param {number} from
-   */
-  #half(from) {
-    const { last, y } = this;
-    const half = 0.5 * (y[from] + y[Math.min(from + WINDOW, last)]);
-    let k = from;
-    while (k < last - 1 && y[k + 1] < half) k++;
-    return (k + (y[k + 1] > y[k] ? (half - y[k]) / (y[k + 1] - y[k]) : 0)) * BIN;
-  }
-  /**
-   * All of a rise, also what is not in so short a time.
-   * @param {number} from
-   */
-  #whole(from) {
-    const { last, y } = this;
-    let high = Math.min(from + WINDOW, last);
-    while (high < last && y[high + 1] > y[high]) high++;
-    return y[high] - y[this.#foot(from)];
+  #jump(run) {
+    const low = Math.max(run[0] - SHORT, 0);
+    const part = this.y.slice(low, run[run.length - 1] + SHORT + 1);
+    const height = Math.max(...run.map((k) => this.rise(k, SHORT)));
+    const half = 0.5 * (Math.min(...part) + Math.max(...part));
+    return { t: (low + part.findIndex((value) => value >= half)) * BIN, height };
   }
 }
 
@@ -166,21 +137,17 @@ class Line {
  * @param {1 | -1} way
  * @returns {Judgement}
  */
-function goes(line, asked, truth, way) {
-  const [from, to] = /** @type {[number, number]} */ (asked.at);
-  const first = line.bin(from + EDGE[0]);
-  let end = line.bin(to - EDGE[1]);
-  const value = (/** @type {number} */ k) => -way * line.y[k];
-  for (let k = end; k >= Math.max(line.bin(to - EDGE[2]), first); k--) if (value(k) < value(end)) end = k;
-  let low = value(first);
-  let turned = -1;
-  for (let k = first; k <= end && turned < 0; k++) {
-    low = Math.min(low, value(k));
-    if (value(k) > low + asked.slack) turned = k;
-  }
-  const falls = value(first) - value(end) > FALL * line.high;
-  const t = turned < 0 ? 0.5 * (from + to) : turned * BIN;
-  const right = turned < 0 && falls;
+function goes(line, { at, slack, within }, truth, way) {
+  const [from, to] = /** @type {[number, number]} */ (at);
+  const part = line.between(from + within, to - within).map((value) => -way * value); // close to its ends as it likes
+  let low = Infinity;
+  const turned = part.findIndex((value) => {
+    low = Math.min(low, value);
+    return value - low > slack;
+  });
+  const level = part.length > 0 && part[0] - part[part.length - 1] <= slack;
+  const right = turned < 0 && !level;
+  const t = turned < 0 ? 0.5 * (from + to) : from + within + turned * BIN;
   return {
     ...{ outcome: right ? 'yes' : 'no', yours: t, right: t, span: [from, to] },
     ...{ ring: [t, line.at(t)], to: [t, right ? line.at(t) : truth(t)] },
@@ -188,31 +155,34 @@ function goes(line, asked, truth, way) {
 }
 
 /**
+ * @param {number} yours
+ * @param {number} right
+ * @param {number} within
+ */
+const timed = (yours, right, within) =>
+  Math.abs(yours - right) <= within + EXACTLY ? 'yes' : yours < right ? 'early' : 'late';
+
+/**
  * @param {Line} line
  * @param {Criterion} asked
  * @param {Truth} truth
  * @returns {Judgement}
  */
-function jumps(line, asked, truth) {
-  const right = /** @type {number} */ (asked.at);
-  const near = (/** @type {{ t: number }} */ a, /** @type {{ t: number }} */ b) =>
-    Math.abs(a.t - right) - Math.abs(b.t - right);
-  const steep = line
-    .rises(BUMP * asked.by)
-    .filter(({ size, whole }) => size >= STEEP * whole)
-    .sort(near);
-  const jump = steep.find(({ size }) => size >= asked.by);
-  const bump = steep.find(({ t }) => Math.abs(t - right) <= 2 * asked.within);
-  const off = jump && Math.abs(jump.t - right) > asked.within + 0.5 * BIN;
-  const small = bump && (!jump || off) && bump.size < asked.by;
-  const outcome = small ? 'small' : !jump ? 'none' : !off ? 'yes' : jump.t < right ? 'early' : 'late';
-  const yours = (small ? bump : jump)?.t ?? right;
-  const after = right + 4 * BIN;
-  const missing = small || !jump;
-  const ring = /** @type {[number, number]} */ (missing ? [after, line.at(after)] : [yours, line.at(yours)]);
+function jumps(line, { at, by, within }, truth) {
+  const right = /** @type {number} */ (at);
+  const all = line.jumps(SLIGHT * by);
+  const high = all.filter(({ height }) => height >= by);
+  const [nearest] = (high.length ? high : all).sort((a, b) => Math.abs(a.t - right) - Math.abs(b.t - right));
+  const when = nearest && timed(nearest.t, right, within);
+  const low = when === 'yes' ? 'small' : 'none';
+  const outcome = !nearest ? 'none' : high.length ? when : low;
+  const missing = outcome === 'none' || outcome === 'small';
+  const yours = nearest && outcome !== 'none' ? nearest.t : right;
+  const place = missing ? right + 4 * BIN : yours;
+  const ring = /** @type {[number, number]} */ ([place, line.at(place)]);
   return {
-    ...{ outcome, yours, right, ring, span: [right - asked.within, right + asked.within] },
-    to: outcome === 'yes' ? ring : missing ? [after, truth(after)] : [right, ring[1]],
+    ...{ outcome, yours, right, ring, span: [right - within, right + within] },
+    to: outcome === 'yes' ? ring : missing ? [place, truth(place)] : [right, ring[1]],
   };
 }
 
@@ -221,34 +191,43 @@ function jumps(line, asked, truth) {
  * @param {Criterion} asked
  * @returns {Judgement}
  */
-function parts(line, asked) {
-  const right = /** @type {number} */ (asked.at);
+function parts(line, { at, within }) {
+  const right = /** @type {number} */ (at);
   const yours = line.parts();
-  const span = /** @type {[number, number]} */ ([right - asked.within, right + asked.within]);
+  const span = /** @type {[number, number]} */ ([right - within, right + within]);
   if (yours === null)
     return { outcome: 'none', yours: right, right, span, ring: [right, line.at(right)], to: [right, 0] };
-  const outcome = Math.abs(yours - right) <= asked.within + 0.5 * BIN ? 'yes' : yours < right ? 'early' : 'late';
-  return { outcome, yours, right, span, ring: [yours, 0], to: [outcome === 'yes' ? yours : right, 0] };
+  const outcome = timed(yours, right, within);
+  return { outcome, yours, right, span, ring: [yours, line.at(yours)], to: [outcome === 'yes' ? yours : right, 0] };
 }
 
 /**
+ * A second hump, behind a pause.
  * @param {Line} line
  * @param {Criterion} asked
  * @param {Truth} truth
  * @returns {Judgement}
  */
-function pushes(line, asked, truth) {
-  const [right, to] = /** @type {[number, number]} */ (asked.at);
-  const top = ([a, b] = [0, 0]) => Math.max(...line.y.slice(a, b + 1));
-  const found = line
-    .pushes()
-    .slice(1)
-    .find((each) => Math.abs(each[0] * BIN - right) <= asked.within + 0.5 * BIN && top(each) > asked.above);
-  const span = /** @type {[number, number]} */ ([right, to]);
-  const t = found ? line.y.indexOf(top(found), found[0]) * BIN : right + 2 * BIN;
+function pushes(line, { above, at, within }, truth) {
+  const [right, to] = /** @type {[number, number]} */ (at);
+  const first = Math.max(binOf(right - within), 0);
+  const part = line.between(right - within, to + within);
+  const top = Math.max(...part);
+  const place = first + part.indexOf(top);
+  const begun = Math.max(line.nothing.indexOf(false), 0);
+  let paused = false;
+  for (let k = begun; k + BREAK <= place; k++) paused ||= line.rests(k, k + BREAK);
+  const found = part.length > 0 && top >= above && paused;
+  const t = found ? place * BIN : right + 2 * BIN;
   const ring = /** @type {[number, number]} */ ([t, line.at(t)]);
-  const yours = found ? found[0] * BIN : right;
-  return { outcome: found ? 'yes' : 'none', yours, right, span, ring, to: found ? ring : [t, truth(t)] };
+  return {
+    outcome: found ? 'yes' : 'none',
+    yours: t,
+    right,
+    span: [right, to],
+    ring,
+    to: found ? ring : [t, truth(t)],
+  };
 }
 
 /**
@@ -256,11 +235,11 @@ function pushes(line, asked, truth) {
  * @param {Criterion} asked
  * @returns {Judgement}
  */
-function ends(line, asked) {
-  const right = /** @type {number} */ (asked.at);
-  const first = line.bin(right + asked.within);
-  const over = line.y.findIndex((value, k) => k >= first && value > asked.slack);
-  const k = over < 0 ? Math.round(0.5 * (first + line.last)) : over;
+function ends(line, { at, slack, within }) {
+  const right = /** @type {number} */ (at);
+  const first = binOf(right + within);
+  const over = line.y.findIndex((value, k) => k >= first && value > slack);
+  const k = over < 0 ? Math.round(0.5 * (Math.min(first, line.last) + line.last)) : over;
   const ring = /** @type {[number, number]} */ ([k * BIN, line.y[k]]);
   return {
     ...{ outcome: over < 0 ? 'yes' : 'no', yours: k * BIN, right, ring, span: [first * BIN, line.last * BIN] },
@@ -279,12 +258,14 @@ const CRITERIA = {
 };
 
 /**
+ * By the rules of app/lessons/judging.py.
  * @param {number[]} drawn  a value for each bin of time, NaN in gaps
  * @param {Criterion[]} criteria
+ * @param {[low: number, high: number]} axis
  * @param {Truth} truth
  * @returns {Judgement[]}
  */
-export function judged(drawn, criteria, truth) {
-  const line = new Line(drawn);
+export function judged(drawn, criteria, axis, truth) {
+  const line = new Line(drawn, NOTHING * (axis[1] - axis[0]));
   return criteria.map((each) => CRITERIA[each.criterion](line, each, truth));
 }

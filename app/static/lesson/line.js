@@ -1,8 +1,7 @@
 // A line that is drawn: a value for each bin of time, what takes a stroke back, and the pen that keys move.
-import { BIN, blank } from './judge.js';
+import { BIN, blank, NOTHING } from './judge.js';
 
 const MOST_UNDONE = 60; // strokes
-const SNAP = 0.03; // of the axis, that is drawn as nothing
 const STEP = { along: 0.1, up: 1 / 24 }; // of the pen: T, and of the axis
 const FINE = 5; // times finer with Shift
 const MOST_POINTS = 400; // that can be typed
@@ -89,7 +88,7 @@ export class Drawn {
   #snapped(value) {
     const [low, high] = this.axis;
     const within = Math.min(Math.max(value, low), high);
-    return Math.abs(within) < SNAP * (high - low) ? 0 : within;
+    return Math.abs(within) < NOTHING * (high - low) ? 0 : within;
   }
   /**
    * A straight piece of it, in place of what was there.

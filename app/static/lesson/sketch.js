@@ -249,7 +249,7 @@ export class Sketch {
       ...each,
       at: Array.isArray(each.at) ? each.at.map((time) => timeOf(time, events)) : timeOf(each.at, events),
     }));
-    this.judgements = judged(this.drawn.line, criteria, valueOf(this.curve));
+    this.judgements = judged(this.drawn.line, criteria, this.part.axis, valueOf(this.curve));
     this.#render();
     this.draw();
   }
