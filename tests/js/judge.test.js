@@ -96,7 +96,7 @@ test('they part early, late, or never', () => {
   assert.equal(outcomes(through(...UP, [2.6, 30]))[2], 'none');
   const [, , late] = judged(through(...UP, [2.18, 0], [2.6, 0]), CRITERIA, [0, 120], exact);
   assert.ok(Math.abs(late.yours - 2.18) < 0.05);
-  assert.deepEqual([late.right, late.ring[0], late.to], [APART, late.yours, [APART, 0]]); // words and picture say the same
+  assert.deepEqual([late.right, late.ring[0], late.to], [APART, late.yours, [APART, 0]]); // as the picture says
 });
 
 test('a second push is one behind a rest, at its time and high enough', () => {

@@ -2,7 +2,7 @@
 import { ofScene, text } from '../text/catalogue.js';
 import { make } from '../browser/dom.js';
 import { alone, carried, served } from '../browser/home.js';
-import { late } from '../browser/late.js';
+import { late, lateSheet } from '../browser/late.js';
 import { MOST_BYTES } from '../wire/own.js';
 
 /** @import { Page } from '../page.js' */
@@ -72,11 +72,7 @@ export class Scenes {
         late('gallery/gallery.js'),
         carried?.gallery ?? fetch(served('gallery')).then((found) => found.json()),
       ]);
-      const sheet = make('link', { rel: 'stylesheet' });
-      const styled = new Promise((done) => Object.assign(sheet, { onload: done, onerror: done }));
-      sheet.href = new URL('../gallery/gallery.css', import.meta.url).href;
-      page.root.before(sheet);
-      await styled;
+      await lateSheet('gallery/gallery.css', page.root);
       /** @type {Gallery} */
       const gallery = new module.Gallery(page, answer);
       page.root.append(gallery.root);

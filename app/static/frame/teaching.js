@@ -1,7 +1,6 @@
 // A lesson, which is fetched where the address names one; what it looks like is in the folder of lessons.
-import { make } from '../browser/dom.js';
 import { alone, carried, served } from '../browser/home.js';
-import { late } from '../browser/late.js';
+import { late, lateSheet } from '../browser/late.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
@@ -58,23 +57,14 @@ export class Teaching {
       this.lesson.open();
       this.lesson.enter(asked.step - 1, false);
     } catch (error) {
-      this.asked = null;
+      this.asked = this.lesson = null;
       page.player.bound(Infinity);
       const unknown = error instanceof RangeError;
       page.complain(text(unknown ? 'lesson.unknown' : 'lesson.lost', { lesson: asked.name.slice(0, 60) }));
       page.layout.place();
-      page.history.write();
       page.tell();
     }
     page.root.style.visibility = '';
-  }
-  /** @param {string} name */
-  #style(name) {
-    const sheet = make('link', { rel: 'stylesheet' });
-    const styled = new Promise((done) => Object.assign(sheet, { onload: done, onerror: done }));
-    sheet.href = new URL(`../lesson/${name}`, import.meta.url).href;
-    this.page.root.before(sheet);
-    return styled;
   }
   /**
    * @param {{ name: string, language: string }} asked
@@ -88,7 +78,7 @@ export class Teaching {
     const [module, answer] = await Promise.all([late('lesson/lesson.js'), fetch(address)]);
     if (answer.status === 404) throw new RangeError();
     const record = await answer.json();
-    await Promise.all(SHEETS.map((each) => this.#style(each)));
+    await Promise.all(SHEETS.map((each) => lateSheet(`lesson/${each}`, page.root)));
     return new module.Lesson(page, record);
   }
 }

@@ -35,7 +35,7 @@ import { summaryOf } from './summary.js';
  * @property {string} next_title
  * @property {Step[]} steps
  */
-/** @typedef {{ far: number, answers: Record<string, any> }} Progress */
+/** @typedef {{ of: string, far: number, answers: Record<string, any> }} Progress  `of`: questions as they were */
 
 const BELOW = ['rod', 'force', 'velocity']; // what the rows show
 const AT_FIRST = ['bodies'];
@@ -58,7 +58,7 @@ export class Lesson {
     this.record = record;
     this.key = `lesson.${record.lesson}`;
     /** @type {Progress} */
-    this.progress = kept(this.key, { far: 0, answers: {} });
+    this.progress = this.#kept();
     this.still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.heading = make('h2', { tabIndex: -1, lang: record.language });
     this.words = make('div', { className: 'lesson-words', lang: record.language });
@@ -72,6 +72,18 @@ export class Lesson {
     this.back.onclick = () => this.enter(this.at - 1);
     this.onwards = make('button', { type: 'button', onclick: () => this.enter(this.at + 1) });
     this.moves = make('nav', { className: 'lesson-moves', ariaLabel: text('lesson.steps') }, this.back, this.onwards);
+  }
+  /** What it asks: answers to other questions are of no use. */
+  get #questions() {
+    const all = this.record.steps.flatMap((step) => step.parts).filter(asks);
+    const size = (/** @type {Part} */ { items, judges, options }) => (items ?? judges ?? options ?? []).length;
+    return JSON.stringify(all.map((part) => [part.kind, part.name, size(part)]));
+  }
+  /** @returns {Progress} */
+  #kept() {
+    const fresh = { of: this.#questions, far: 0, answers: {} };
+    const found = kept(this.key, fresh);
+    return found?.of === fresh.of ? found : fresh;
   }
   /** Take the place of the opening's own words. */
   open() {
@@ -127,7 +139,7 @@ export class Lesson {
     keep(this.key, this.progress);
   }
   restart() {
-    this.progress = { far: 0, answers: {} };
+    this.progress = { of: this.#questions, far: 0, answers: {} };
     this.keep();
     this.enter(0);
   }
