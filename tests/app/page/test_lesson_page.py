@@ -210,7 +210,7 @@ def test_points_are_typed_and_strokes_taken_back(open_page):
     button(page, "Undo").click()
     button(page, "Show what happens").click()
     assert judged(page) == ["✓", "✓", "○", "○", "✓"]
-    expect(page.tab.locator(".lesson-judged")).to_contain_text("In your line they part at 2.15 T, too late.")
+    expect(page.tab.locator(".lesson-judged")).to_contain_text("In your line they part at 2.16 T, too late.")
 
 
 def test_answers_stay_until_one_starts_again(open_page):
