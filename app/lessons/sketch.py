@@ -9,7 +9,7 @@ from .lesson import Judge, Part, Sketch, Span, Time
 from .problems import wanted
 from .stage import Stage
 
-TRACKS = {"force": ("kN", "N"), "velocity": ("m/s",)}  # with the units of their axes
+TRACKS = {"force": ("kN", "N")}  # with the units of their axes
 GAPS = ("yours", "true")
 OUT_OF_REACH = 1e6
 

@@ -85,7 +85,7 @@ test('events have their names, and goals are met or not', () => {
   assert.ok(goal('impactor_velocity', '<', -1.5) && goal('contact_time', '>', 1.8e-4) && goal('impulse', '<', 5.1));
   assert.ok(!goal('mass', '>', 0));
   assert.deepEqual(lastContact(FRAME), { start: 2, end: 2.2, peak: 5e4 });
-  assert.deepEqual(curveOf(FRAME, 'force', 1e-3), { x: [0, 1], y: [3, 1] });
+  assert.deepEqual(curveOf(FRAME, 1e-3), { x: [0, 1], y: [3, 1] });
 });
 
 test('keys draw a line with a corner, lift the pen, and go back', () => {

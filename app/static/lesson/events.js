@@ -86,30 +86,15 @@ export function lastContact(frame) {
 }
 
 /**
- * @param {AxialFrame} frame
- * @returns {Samples}
- */
-function velocityOf({ exactMass: moved, motionTime: time, speed }) {
-  const x = Array.from(time).slice(1);
-  return { x, y: x.map((t, k) => (speed * (moved[k + 1] - moved[k])) / (t - time[k] || 1)) };
-}
-
-/**
- * The curve that is to be drawn, in a unit so many of which one of SI is.
+ * The force that is to be drawn, in a unit so many of which one of SI is.
  * @param {Frame} frame
- * @param {string} track
  * @param {number} factor
  * @returns {Samples}
  */
-export function curveOf(frame, track, factor) {
+export function curveOf(frame, factor) {
   const axial = axialOf(frame);
   if (!axial) return { x: [], y: [] };
-  const curves = {
-    force: () => ({ x: axial.exactTime, y: Array.from(axial.exactForce, (force) => force * axial.forceUnit) }),
-    velocity: () => velocityOf(axial),
-  };
-  const { x, y } = (Object.hasOwn(curves, track) ? curves[/** @type {'force'} */ (track)] : curves.force)();
-  return { x, y: Array.from(y, (value) => value * factor) };
+  return { x: axial.exactTime, y: Array.from(axial.exactForce, (force) => force * axial.forceUnit * factor) };
 }
 
 /**

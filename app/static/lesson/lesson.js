@@ -37,7 +37,7 @@ import { summaryOf } from './summary.js';
  */
 /** @typedef {{ of: string, far: number, answers: Record<string, any> }} Progress  `of`: questions as they were */
 
-const BELOW = ['rod', 'force', 'velocity']; // what the rows show
+const BELOW = ['rod', 'force']; // what the rows show
 const AT_FIRST = ['bodies'];
 const NUMBERS = 'numbers';
 const BARE_T = 'T'; // of `time`: how long one is, is not said

@@ -242,8 +242,8 @@ export class Sketch {
   /** @param {Frame} frame */
   load(frame) {
     if (this.lesson.coming || !this.done) return; // nothing of what happens is here before
-    const { judges, track, unit } = this.part;
-    this.curve = curveOf(frame, track, FACTORS[unit] ?? 1);
+    const { judges, unit } = this.part;
+    this.curve = curveOf(frame, FACTORS[unit] ?? 1);
     const { events } = this.lesson;
     const criteria = judges.map((/** @type {Part} */ each) => ({
       ...each,

@@ -114,7 +114,7 @@ def test_heads(old, new, line, said):
         (fence("sketch", SKETCH + 'yes = "Yes."'), 13, "judge[1]: got nothing; allowed: one of falls, rises"),
         (fence("sketch", SKETCH + 'falls = [0, 1]\nyes = "Yes."'), 13, "judge[1].no: got nothing; allowed: a sentence"),
         (fence("sketch", SKETCH + 'jump = [0, 1]\nyes = "Yes."'), 14, "judge[1].jump: got [0, 1]; allowed: a time in"),
-        (fence("sketch", SKETCH.replace("force", "heat")), 10, "track: got 'heat'; allowed: 'force', 'velocity'"),
+        (fence("sketch", SKETCH.replace("force", "heat")), 10, "track: got 'heat'; allowed: 'force'"),
         (fence("sketch", SKETCH.replace("[0, 100]", "[1, 1]")), 12, "axis: got [1, 1]; allowed: two numbers that rise"),
     ],
 )  # fmt: skip
