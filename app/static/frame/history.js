@@ -130,7 +130,8 @@ export class History {
     this.resting = undefined;
     this.held = null;
     const { page, entry } = this;
-    if (!page.frame || page.changes.quiet) return;
+    const { lesson, on } = page.opening.teaching;
+    if (!page.frame || page.changes.quiet || (on && !lesson)) return; // a lesson that comes has an address of its own
     const now = performance.now();
     const [state, address] = this.#now();
     const moved = entry && state.choices !== entry.choices;
