@@ -40,7 +40,9 @@ def gallery() -> dict[str, Any]:
 def lessons() -> list[list[str]]:
     """Those that come with the program, by titles that give no answer away."""
     found = [shipped_lesson(name) for name in lesson_names()]
-    return [[lesson.lesson, lesson.title_before or lesson.title] for lesson in found]
+    following = {lesson.next for lesson in found}
+    ordered = sorted(found, key=lambda lesson: lesson.lesson in following)
+    return [[lesson.lesson, lesson.title_before or lesson.title] for lesson in ordered]
 
 
 def _found_by(scene: Scene) -> dict[str, Any]:

@@ -19,10 +19,21 @@ export class Bar {
       button.title = button.ariaLabel = text(code);
       return button;
     };
-    const again = act('⟲', 'lesson.again', () => lesson.restart());
+    const again = act('⟲', 'lesson.again', () => this.#again(again));
     const leave = act('✕', 'lesson.leave', () => location.assign(location.pathname));
     const acts = make('div', { className: 'lesson-acts' }, again, leave);
     this.root = make('div', { className: 'lesson-bar' }, this.name, list, acts);
+  }
+  /**
+   * All answers are forgotten at the second press.
+   * @param {HTMLElement} button
+   */
+  #again(button) {
+    const words = button.querySelector('.lesson-word');
+    const sure = button.classList.toggle('sure');
+    if (words) words.textContent = text(sure ? 'lesson.sure' : 'lesson.again');
+    button.title = button.ariaLabel = text(sure ? 'lesson.sure' : 'lesson.again');
+    if (!sure) this.lesson.restart();
   }
   /** Titles of steps that were not reached say too much: they are numbers only. */
   show() {

@@ -80,16 +80,21 @@ export class Sketch {
     return make('section', { className: 'sketch', ariaLabel: name }, head, sheet, points);
   }
   #typing() {
-    const area = make('textarea', { rows: 5, spellcheck: false, placeholder: '0 37\n0.9 20\n1 60' });
+    const area = make('textarea', { rows: 5, spellcheck: false, placeholder: '0 37\n1 37' });
     const label = make('label', {}, text('lesson.points', { unit: this.part.unit }), area);
+    const wrong = make('p', { className: 'wrong', role: 'status', hidden: true });
     const act = () => {
+      const bad = area.value.split('\n').filter((each) => each.trim() && !pointsOf(each).length);
+      wrong.hidden = !bad.length;
+      wrong.textContent = text('lesson.not-points', { lines: bad.slice(0, 3).join('; ').slice(0, 80) });
+      if (bad.length) return;
       const points = pointsOf(area.value);
       this.drawn.type(points);
       this.#changed();
       this.lesson.speak(text('lesson.typed', { count: points.length }));
     };
     const draw = make('button', { type: 'button', className: 'whole', textContent: text('lesson.draw'), onclick: act });
-    return [label, draw];
+    return [label, draw, wrong];
   }
   #listen() {
     const { plot } = this;

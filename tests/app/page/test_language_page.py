@@ -9,6 +9,7 @@ import urllib.request
 import pytest
 
 import solvers
+from app.page import picker
 from app.text import catalogues
 from app.text.catalogues import language_for
 from solvers.bodies import Mechanism
@@ -81,11 +82,12 @@ def bracketed(tmp_path_factory):
 
 
 def names() -> set[str]:
-    """Proper names: of links in scene files, and of what this machine is."""
+    """Proper names: of links in scene files, of lessons, and of what this machine is."""
     mechanisms = (solvers.load(name).target for name in solvers.scene_names())
     links = {link.name for body in mechanisms if isinstance(body, Mechanism) for link in body.links}
     processor = json.dumps(solvers.stored_tradeoff(solvers.load("fixed-rod")).table()["machine"])
-    return NAMED | {word for text in (*links, processor) for word in BARE.findall(text)}
+    titles = [title for _, title in picker.lessons()]
+    return NAMED | {word for text in (*links, *titles, processor) for word in BARE.findall(text)}
 
 
 def test_no_word_of_the_page_is_outside_its_catalogues(browser, bracketed):

@@ -228,6 +228,7 @@ def test_answers_stay_until_one_starts_again(open_page):
     ready(page)
     expect(page.tab.get_by_label("A second contact")).to_be_checked()
     page.tab.get_by_role("button", name="Start again").click()
+    page.tab.get_by_role("button", name="Forget all answers?").click()
     ready(page)
     expect(button(page, "Show what happens")).to_be_disabled()
     onwards(page, "Skip →")
@@ -296,3 +297,27 @@ def test_lessons_are_fetched_where_one_is_asked_for_and_listed_in_the_gallery(op
     link.click()
     ready(page)
     assert len([address for address in fetched if "lesson" in address.split("?")[0]]) == 4  # script, styles, sentences
+
+
+def test_back_leads_from_a_lesson_to_where_one_was(open_page):
+    page = open_page("?lesson=what-an-impact-is&step=2")
+    ready(page)
+    before = page.evaluate("() => [history.length, location.search]")
+    page.tab.goto(f"http://{page.address}/?lesson=bounce-twice")
+    page.laid_out()
+    ready(page)
+    assert page.evaluate("() => history.length") == before[0] + 1
+    page.tab.go_back()
+    page.laid_out()
+    ready(page)
+    assert page.evaluate("() => location.search") == before[1]
+
+
+def test_what_is_no_point_is_named_and_draws_nothing(open_page):
+    page = open_page("?lesson=bounce-twice&step=2")
+    ready(page)
+    button(page, "Type points").click()
+    page.tab.get_by_role("textbox").fill("0 37\nhello\n1 x")
+    button(page, "Draw them").click()
+    expect(page.tab.locator(".sketch .wrong")).to_have_text("Not two numbers: hello; 1 x")
+    assert button(page, "Show what happens").is_disabled()

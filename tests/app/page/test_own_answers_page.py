@@ -172,8 +172,8 @@ MOVE_BENT = MOVE.replace(STATE, BENT)
 @pytest.mark.parametrize(
     "query, name, values",
     [
-        ("?scene=hammer-on-cantilever&layout=opening", "mass_ratio", [3.0, 5.0]),
-        ("?scene=hammer-on-cantilever&layout=opening", "speed", [2.0]),
+        ("?scene=figure-8.25&layout=opening", "mass_ratio", [3.0, 5.0]),
+        ("?scene=figure-8.25&layout=opening", "speed", [2.0]),
         ("?scene=xylophone-bar&layout=opening", "hertz_stiffness", [3e8]),
         ("?scene=xylophone-bar-node&layout=opening", "mass_ratio", [5.0]),
         ("?scene=figure-5.1&layout=opening", "speed", [0.5]),
@@ -253,7 +253,7 @@ def test_it_goes_on_without_a_server(open_page):
     assert seen[0][2] != seen[1][2]
 
 
-@pytest.mark.parametrize("query", ["?method=balance", "?scene=figure-5.12", "?scene=stepped-rod"])
+@pytest.mark.parametrize("query", ["?method=balance", "?scene=figure-5.12", "?scene=newtons-cradle"])
 def test_what_it_cannot_the_server_answers(open_page, query):
     page = open_page(query)
     page.wait(READY)
