@@ -163,6 +163,7 @@ def test_two_pictures_run_by_one_clock_in_one_scale(open_page):
     page.tab.get_by_role("button", name="show it beside in the picture").click()
     second = page.tab.locator(".beside .stage canvas")
     expect(second).to_be_visible()
+    page.frames_pass(3)  # in which both are drawn at their sizes
     ends = page.evaluate(
         """() => { const { compare: { second: { stage: b } }, axial: { stage: a } } = strikewave.page;
           const ends = [a, b].map(({ largest, frame }) => largest * frame.stressUnit);
