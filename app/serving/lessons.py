@@ -9,20 +9,9 @@ from solvers.text.catalogue import SOURCE
 
 from ..lessons.record import lesson_record
 from ..lessons.shipped import lesson_files, shipped_lesson
+from ..text.catalogues import language_for
 
-MOST_ACCEPTED = 20  # languages that a browser may name
 LANGUAGES = {SOURCE} | {path.name.split(".")[1] for path in lesson_files() if path.name.count(".") == 2}
-
-
-def language_for(accepted: str) -> str:
-    """The language that lessons are given in, of those that a browser accepts, the dearest first."""
-    known = {language.lower(): language for language in LANGUAGES}
-    for part in accepted.lower().split(",")[:MOST_ACCEPTED]:
-        wanted = part.partition(";")[0].strip()
-        for tag in (wanted, wanted.partition("-")[0]):
-            if tag in known:
-                return known[tag]
-    return SOURCE
 
 
 @cache
@@ -37,7 +26,7 @@ class Lesson(RequestHandler):
 
     def get(self, name: str) -> None:
         asked = self.get_query_argument("language", "")
-        language = language_for(asked or self.request.headers.get("Accept-Language", ""))
+        language = language_for(asked or self.request.headers.get("Accept-Language", ""), LANGUAGES)
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Vary", "Accept-Language")
         self.set_header("Content-Type", "application/json")

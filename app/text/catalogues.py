@@ -1,6 +1,7 @@
 """The catalogues of page, command and lesson files, and the page's as the browser takes it."""
 
 import json
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
@@ -36,9 +37,10 @@ def script(language: str) -> str:
     return f"globalThis.strikewaveTexts = {texts};\n"
 
 
-def language_for(accepted: str) -> str:
-    """The language of a visitor whose browser accepts these, as its `Accept-Language` says, the dearest first."""
-    known = {language.lower(): language for language in LANGUAGES}
+def language_for(accepted: str, languages: Iterable[str] = ()) -> str:
+    """The language of a visitor whose browser accepts these, as its `Accept-Language` says, the dearest first; one of
+    `languages`, or of those of the page."""
+    known = {language.lower(): language for language in languages or LANGUAGES}
     for part in accepted.lower().split(",")[:MOST_ACCEPTED]:
         wanted = part.partition(";")[0].strip()
         for tag in (wanted, wanted.partition("-")[0]):
