@@ -39,7 +39,7 @@ ENTRY = "page.js"  # stands for all modules but those of these, which are fetche
 APART = ("gallery/gallery.js", "lesson/lesson.js", "take/files.js", "wasm/answers.js")
 SHEETS = "sheets.css"  # likewise, for the sheets that it names
 IMPORT = re.compile(r"@import '\./([^']+)';\n")
-SPARE = re.compile(r"^[ \t]+|/\*[\s\S]*?\*/\n?", re.MULTILINE)  # of styles: indents and comments
+SPARE = re.compile(r"^\s+|/\*[\s\S]*?\*/\n?|(?<=[;{},])\n", re.MULTILINE)  # of styles: comments, and room between rules
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
