@@ -97,7 +97,8 @@ def test_why_there_is_one_contact(ratio, fewer):
     assert end > 2.0 if ratio < 0.6 else end < 2.0
 
 
-def test_numbers_of_what_an_impact_is():
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_numbers_of_what_an_impact_is(language):
     lesson = shipped_lesson("what-an-impact-is")
     light, equal = solved(lesson.steps[0]), solved(lesson.steps[4])
     mass, speed = light.scene.impactor.mass, light.scene.speed
@@ -120,7 +121,7 @@ def test_numbers_of_what_an_impact_is():
     }  # fmt: skip
     assert same("0.5", fast - slow)  # the restitution, and the speed at which they part
     assert same("0.25", 0.5**2)  # of a wall
-    assert_numbers("what-an-impact-is", "en", values)
+    assert_numbers("what-an-impact-is", language, values)
     impulse, force, lost = (lesson.steps[n].parts[2] for n in (1, 2, 4))
     assert impulse.answer == pytest.approx(light.impulse, rel=1e-3)
     assert [each.answer for each in impulse.mistakes] == pytest.approx([mass * (speed - back), mass * speed], rel=2e-3)
