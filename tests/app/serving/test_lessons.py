@@ -33,7 +33,6 @@ def test_a_lesson_is_sent_as_it_is_read_and_again_only_if_it_has_changed(server,
         ("bounce-twice", "fr,en;q=0.8", "en"),
         ("bounce-twice?language=es", "en", "es"),
         ("bounce-twice?language=xx", "es", "en"),
-        ("what-an-impact-is", "es", "en"),  # of which there is no translation
     ],
 )
 def test_a_lesson_is_in_the_language_of_who_asks(server, address, accepted, language):
