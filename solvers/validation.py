@@ -35,8 +35,8 @@ class SceneError(ValueError):
     @property
     def note(self) -> Note:
         """The same as a note."""
-        key = f"{self.key} of '{self.of}'" if self.of else self.key
-        values = {"key": key, "value": shown(self.value), "allowed": self.reason.table()}
+        named = Note("refusals.key-of", Severity.REFUSAL, key=self.key, of=self.of).table() if self.of else self.key
+        values = {"key": named, "value": shown(self.value), "allowed": self.reason.table()}
         return Note("refusals.value", Severity.REFUSAL, **values)
 
     @property

@@ -36,11 +36,11 @@ def report(found: Plan) -> str:
     lines += ["", f"  {text('plan.model'):48}{text('plan.error')}"]
     for candidate in found.candidates:
         mark = "->" if candidate is found.chosen else "  "
-        lines.append(f"{mark}{candidate.model:48}{_shown(candidate.expected_error)}")
+        lines.append(f"{mark}{text('plan.candidate', model=candidate.parts):48}{_shown(candidate.expected_error)}")
     lines += left_out({each.name: each.name.removesuffix("-quasi-static") for each in found.candidates})
     lines += ["", *textwrap.wrap(found.reason, 118, initial_indent="  ", subsequent_indent="  ")]
     if found.next_better is not None:
-        better = {"model": found.next_better.model, "error": _shown(found.next_better.expected_error)}
+        better = {"model": found.next_better.parts, "error": _shown(found.next_better.expected_error)}
         lines.append("  " + text("plan.better", **better))
     if found.modes is not None:
         lines.append("  " + text("plan.modes", modes=found.modes))

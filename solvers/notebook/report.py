@@ -4,7 +4,7 @@ import math
 import textwrap
 from typing import Any
 
-from .words import family, named, shown, text, vector
+from .words import family, listed, named, shown, text, vector
 
 LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
 
@@ -22,7 +22,7 @@ def report(solution: Any) -> str:
         f"  {_unit_name(scene):32}{shown(trip * 1e6, '.6g')} us",
         line("solve.method", method_line(solution)),
         "",
-        f"  {head['contact']:<7}{head['start']:>14}{head['end']:>14}{head['impulse']:>17}{head['peak-force']:>18}",
+        f"  {head['contact']:<8}{head['start']:>13}{head['end']:>14}{head['impulse']:>17}{head['peak-force']:>18}",
     ]
     lines += _periods(solution.contacts, trip)
     for number, joint in enumerate(solution.joints, 1):
@@ -145,7 +145,7 @@ def _rotation(solution: Any) -> list[str]:
 
 def _listed(frequencies: list[float | None]) -> str:
     """The lowest three."""
-    return ", ".join(text("solve.unstable") if each is None else shown(each, ".8g") for each in frequencies[:3])
+    return listed([text("solve.unstable") if each is None else shown(each, ".8g") for each in frequencies[:3]])
 
 
 def _swinging(solution: Any) -> list[str]:

@@ -6,9 +6,9 @@ from typing import Any
 
 from ..text.catalogue import library, spoken
 from .report import line, method_line, title_of
-from .words import family, named, shown, text, vector
+from .words import family, listed, named, shown, text, vector
 
-COLUMNS = {  # and how wide they are
+COLUMNS = {  # and how wide they are at least
     "contacts": 8,
     "impulse": 13,
     "peak-force": 15,
@@ -24,11 +24,12 @@ def sweep(key: str, rows: list[dict[str, Any]]) -> str:
     """A line for each value."""
     width = max(len(key), 12)
     heads = family("sweep.head")
-    head = "  ".join([f"  {key:>{width}}", *(f"{heads[name]:>{size}}" for name, size in COLUMNS.items())])
-    return "\n".join([head, *(_line(row, width) for row in rows)])
+    sizes = {name: max(size, len(heads[name])) for name, size in COLUMNS.items()}
+    head = "  ".join([f"  {key:>{width}}", *(f"{heads[name]:>{size}}" for name, size in sizes.items())])
+    return "\n".join([head, *(_line(row, width, [*sizes.values()]) for row in rows)])
 
 
-def _line(row: dict[str, Any], width: int) -> str:
+def _line(row: dict[str, Any], width: int, sizes: list[int]) -> str:
     velocity = row["impactor"]["final_velocity"]
     if isinstance(velocity, list):  # of a body in space
         velocity = vector(velocity, ".4g")
@@ -38,7 +39,7 @@ def _line(row: dict[str, Any], width: int) -> str:
         (velocity, "+.6f"), (row["restitution"]["newton"], ".6f"), (row["energy_error"], "+.1e"),
         (row["estimated_error"], ".1e"),
     ]  # fmt: skip
-    sized = (shown(*cell).rjust(size) for cell, size in zip(cells, COLUMNS.values(), strict=True))
+    sized = (shown(*cell).rjust(size) for cell, size in zip(cells, sizes, strict=True))
     return "  ".join([f"  {shown(row['value'], '.8g'):>{width}}", *sized])
 
 
@@ -50,21 +51,23 @@ def ensemble(found: Any) -> str:
     head = "".join(f"{heads[name]:>{width}}" for name, width in columns.items())
     runs = {"runs": found.perturbations.size, "method": found.method["name"], "key": found.key}
     spread, seconds = 100.0 * float(abs(found.perturbations).max()), found.wall_time
+    names = [named("quantity", row.quantity) + (f" [{row.unit}]" if row.unit else "") for row in found.spread]
+    wide = max(24, *map(len, names))
     lines = [
         found.title or text("report.scene"),
         "  " + text("ensemble.runs", spread=spread, seconds=seconds, **runs),
         "",
-        f"  {'':24}{head}  {heads['verdict']}",
+        f"  {'':{wide}}{head}  {heads['verdict']}",
     ]
-    for row in found.spread:
-        name = named("quantity", row.quantity) + (f" [{row.unit}]" if row.unit else "")
+    for name, row in zip(names, found.spread, strict=True):
         cells: list[Any] = [
             (row.unperturbed, 12, ".6g"), (row.lowest, 12, ".6g"), (row.median, 12, ".6g"), (row.highest, 12, ".6g"),
             (100.0 * row.half_range, 8, ".2g"), (row.sensitivity, 13, "+.3g"), (row.amplification, 9, ".2g"),
         ]  # fmt: skip
         values = "  ".join(shown(value, form).rjust(size) for value, size, form in cells[:4])
         rest = f"{shown(*cells[4][::2]):>8} %" + shown(*cells[5][::2]).rjust(13) + shown(*cells[6][::2]).rjust(11)
-        lines.append(f"  {name:24}  {values}  {rest}  {row.verdict}")
+        verdict = named("verdict", row.verdict.replace(" ", "-"))
+        lines.append(f"  {name:{wide}}  {values}  {rest}  {verdict}")
     return "\n".join([*lines, "", str(found.summary), *(text("report.note", note=note) for note in found.notes)])
 
 
@@ -89,7 +92,7 @@ def comparison(found: Any) -> str:
     scene = exact.scene
     moving = text("solve.target-moves" if exact.impactor_velocity is None else "solve.impactor-leaves")
     spans = [(each.start / scene.time_unit, each.end / scene.time_unit) for each in exact.contacts]
-    periods = ", ".join(text("compare.period", start=start, end=end) for start, end in spans)
+    periods = listed([text("compare.period", start=start, end=end) for start, end in spans])
     head, units = family("compare.head"), family("compare.unit")
     lines = [
         title_of(exact),

@@ -30,6 +30,10 @@ def shown(value: Any, form: str) -> str:
 
 
 def vector(values: Sequence[float], form: str = ".6g") -> str:
-    """Numbers in brackets; where a comma stands in each, semicolons are between them."""
-    parts = [shown(float(value) + 0.0, form) for value in values]
-    return f"({('; ' if any(',' in part for part in parts) else ', ').join(parts)})"
+    """Numbers in brackets."""
+    return f"({listed([shown(float(value) + 0.0, form) for value in values])})"
+
+
+def listed(parts: Sequence[str]) -> str:
+    """Numbers as written; where a comma stands in one, semicolons are between them."""
+    return ("; " if any("," in part for part in parts) else ", ").join(parts)

@@ -4,7 +4,8 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from ..text.messages import FORMATS
+from ..text.catalogue import SOURCE, library
+from ..text.messages import WORDED
 
 
 @dataclass(frozen=True)
@@ -28,8 +29,8 @@ class Candidate:
 
     @property
     def model(self) -> str:
-        """All of it in one line."""
-        return FORMATS["model"](self.parts)
+        """All of it in one line, in whatever language: it names the model for programs, too."""
+        return WORDED["model"](self.parts, library(SOURCE))
 
     def table(self) -> dict[str, Any]:
         error = self.expected_error if math.isfinite(self.expected_error) else None

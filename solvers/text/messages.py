@@ -1,9 +1,10 @@
 """Sentences with gaps, as catalogues keep them, and how values are filled in.
 
-The syntax is a part of that of ICU messages: `{mass:.3g}` is a value with a format of Python, or with one of `FORMATS`;
-`{count, plural, =0 {none} one {one contact} other {{count} contacts}}` and `{kind, select, beam {…} other {…}}` choose
-by a value; `{@waves}` is a term of the catalogue: what has one name wherever it is mentioned, or a sentence that others
-end with, which takes their values. A brace cannot be written literally. `app/static/text/catalogue.js` reads the same.
+The syntax is a part of that of ICU messages: `{mass:.3g}` is a value with a format of Python, or with one of `FORMATS`
+or `WORDED`; `{count, plural, =0 {none} one {one contact} other {{count} contacts}}` and `{kind, select, beam {…} other
+{…}}` choose by a value; `{@waves}` is a term of the catalogue: what has one name wherever it is mentioned, or a
+sentence that others end with, which takes their values. A brace cannot be written literally.
+`app/static/text/catalogue.js` reads the same.
 """
 
 import math
@@ -38,9 +39,6 @@ FORMATS: dict[str, Callable[[Any], str]] = {
     "stress": lambda pascals: engineering(pascals, "Pa"),
     "percent": lambda share: f"{float(f'{100.0 * share:.2g}'):g} %",
     "rough": lambda value: f"{float(f'{value:.1g}'):g}",  # one digit, 20 rather than 2e+01
-    "model": lambda parts: ", ".join(f"{part} modes" if name == "modes" else part for name, part in parts.items()),
-    "figures": lambda names: ", ".join(name.replace("_", " ") for name in names) or "nothing",
-    "error": lambda share: "nothing" if share == 0.0 else f"{100.0 * share:.2g} %",
     "integrators": lambda names: ", ".join(names),
     "list": ", ".join,
     "options": lambda words: ", ".join(map(repr, words)),
@@ -48,8 +46,6 @@ FORMATS: dict[str, Callable[[Any], str]] = {
     "law": lambda name: f"'{name}'",
     "kind": str,  # of a body
 }
-# formats of a note, or a code, within a note; of several; and of notes by method, each why it cannot
-NOTE, NOTES, REFUSALS = "note", "notes", "refusals"
 
 
 class Texts(Protocol):
@@ -156,12 +152,8 @@ def _shown(piece: Any, values: Mapping[str, Any], own: Texts) -> str:
         return filled(own.terms[piece.name], values, own)
     value = values[piece.name]
     if isinstance(piece, Value):
-        if piece.format == NOTE:
-            return _said(value, own)
-        if piece.format == NOTES:
-            return ", ".join(_said(each, own) for each in value)
-        if piece.format == REFUSALS:
-            return "; ".join(f"'{name}': {own.text(no['code'], **no['values'])}" for name, no in value.items())
+        if piece.format in WORDED:
+            return WORDED[piece.format](value, own)
         return written(value, piece.format, own.language)
     return "".join(_shown(inner, values, own) for inner in _option(piece, value, own.language))
 
@@ -171,6 +163,31 @@ def _said(note: Any, own: Texts) -> str:
     if isinstance(note, Mapping):
         return own.text(note["code"], **note["values"])
     return own.text(note) if note in own.texts else str(note)
+
+
+def _model(parts: Mapping[str, Any], own: Texts) -> str:
+    modes = filled(own.terms["resolution"], {"resolution": "modes"}, own)
+    return ", ".join(f"{part} {modes}" if name == "modes" else part for name, part in parts.items())
+
+
+def _figures(names: list[str], own: Texts) -> str:
+    called = (own.texts.get(f"printed.quantity.{name}", name.replace("_", " ")) for name in names)
+    return ", ".join(called) or own.text("name.none.figures")
+
+
+def _error(share: float, own: Texts) -> str:
+    return own.text("name.none.error") if share == 0.0 else f"{written(100.0 * share, '.2g', own.language)} %"
+
+
+# formats with words of the catalogue in them
+WORDED: dict[str, Callable[[Any, Texts], str]] = {
+    "note": _said,  # a note, or a code, within a note
+    "notes": lambda notes, own: ", ".join(_said(each, own) for each in notes),
+    "refusals": lambda notes, own: "; ".join(f"'{name}': {_said(no, own)}" for name, no in notes.items()),  # by method
+    "model": _model,
+    "figures": _figures,
+    "error": _error,
+}
 
 
 def _option(choice: Choice, value: Any, language: str) -> list[Any]:

@@ -33,6 +33,7 @@ plan fixed-rod
 bounce bouncing-ball
 sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
 convergence fixed-rod --modes 2,4,8,16
+ensemble fixed-rod --runs 10
 stability fixed-rod --grid 2x2 --modes 4
 tradeoff fixed-rod --stored
 joints bent-rods
@@ -65,7 +66,6 @@ KEYS = {
     "restitution",
     "impact",
     "scene",
-    "nothing",
     *("modes", "frame", "residual", "True", "crank", "coupler", "bar"),
 }  # of scene files
 TYPED = {  # in a call, as it stands
