@@ -8,7 +8,9 @@ import param
 
 from solvers.validation import allowed, shown
 
+from ..choices.built_in import base_of
 from ..choices.choices import SCENES, Choices, accepts
+from ..choices.kinds import kind_of
 from ..choices.opened import possible
 from ..choices.scene_of import acting_choices, own_choices
 from .fields import Fields
@@ -37,6 +39,11 @@ class Stage:
     def turn_to(self, scene: str) -> None:
         """Another scene, as it is."""
         self.scene, self.changes = scene, {}
+
+    @property
+    def kind(self) -> str:
+        """Of the scene, by its name in messages."""
+        return kind_of(base_of(self.scene, self.own()["bodies"])).NAME
 
     def acting(self) -> list[str]:
         """Settings that change anything here."""

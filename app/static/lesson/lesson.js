@@ -2,11 +2,11 @@
 import { make } from '../browser/dom.js';
 import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
-import { figures } from '../text/format.js';
+import { engineering, figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { Bar } from './bar.js';
-import { eventsOf, timeOf } from './events.js';
+import { eventsOf, timeOf, unitOf } from './events.js';
 import { elementsOf } from './nodes.js';
 import { asks, questionOf } from './questions.js';
 import { Sketch } from './sketch.js';
@@ -47,6 +47,7 @@ export class Lesson {
   /** @type {Question | null} */ question = null;
   coming = false; // the scene of this step is still to come
   /** @type {Events} */ events = {};
+  unit = 1; // of the page's clock, that a T is
   rows = false; // whether they are seen below the picture
 
   /**
@@ -148,6 +149,7 @@ export class Lesson {
    * @param {number} t
    */
   timeWords(t) {
+    if (this.unit !== 1) return engineering(t * this.unit, 's'); // as all the page has it
     return `${figures(Number(t.toFixed(2)), 4)} T`;
   }
   /**
@@ -264,9 +266,13 @@ export class Lesson {
     times.bare = this.#scene.time === BARE_T && !this.question?.done;
     this.page.root.classList.toggle('untimed', times.bare);
   }
+  /** @param {number | string} time  on the page's clock */
+  #clock(time) {
+    return timeOf(time, this.events) * this.unit;
+  }
   /** @param {[number | string, number | string] | null} [span] */
   #span(span) {
-    const [from, to] = (span ?? []).map((time) => timeOf(time, this.events));
+    const [from, to] = (span ?? []).map((time) => this.#clock(time));
     return from === undefined || !(to > from) ? null : [from, to];
   }
   /** How far one may look before one has said what happens. */
@@ -275,7 +281,7 @@ export class Lesson {
     const { player } = this.page;
     if (!this.question?.predicts || this.question.done) return Infinity;
     if (this.question.chart) return 0;
-    const end = this.#span(play)?.[1] ?? ((at ?? null) === null ? NaN : timeOf(at, this.events));
+    const end = this.#span(play)?.[1] ?? ((at ?? null) === null ? NaN : this.#clock(at));
     return Number.isFinite(end) ? Math.max(end - player.start, 0) : Infinity;
   }
   #begin() {
@@ -285,7 +291,7 @@ export class Lesson {
     const after = this.#after;
     const part = done && (after.play || (after.at ?? null) !== null) ? after : this.#scene;
     const at = part.at ?? (done ? part.play?.[1] : null) ?? null;
-    if (at !== null) this.stand(timeOf(at, this.events));
+    if (at !== null) this.stand(this.#clock(at));
     else if (!done && part.play) this.play(part.play);
     else this.stand(0);
   }
@@ -320,13 +326,14 @@ export class Lesson {
     if (said instanceof HTMLElement) said.focus({ preventScroll: true });
     const { at, play } = this.#after;
     if (play) this.play(play);
-    else if ((at ?? null) !== null) this.stand(timeOf(at, this.events));
+    else if ((at ?? null) !== null) this.stand(this.#clock(at));
     else if (question instanceof Sketch) this.play([0, question.drawn.until]);
     else if (this.#scene.play) this.play(this.#scene.play);
   }
   /** @param {Frame} frame  that is shown now */
   load(frame) {
     this.events = eventsOf(frame);
+    this.unit = unitOf(frame);
     if (this.coming) return;
     this.page.controls.lead(this.sliders ?? []);
     this.question?.load?.(frame);

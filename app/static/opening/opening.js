@@ -96,6 +96,10 @@ export class Opening {
   get #changes() {
     return changesOf(this.page.frame, this.#leading);
   }
+  /** Whether what is dropped is followed until it lies still; a lesson is about one impact. */
+  get follows() {
+    return this.plan === 'opening' && !this.teaching.on;
+  }
   /** Whether its picture is what is seen. */
   get leads() {
     return this.plan !== 'laboratory' || this.narrow;
