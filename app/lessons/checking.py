@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,9 +14,10 @@ from solvers import SceneError, Solution
 from ..choices.choices import Choices
 from .events import times_of
 from .judging import exact_line, judged
-from .lesson import Lesson, Order, Part, Set, Sketch, Span, Step, Time
+from .lesson import Lesson, Order, Part, Scene, Set, Sketch, Span, Step, Time
 from .problems import LessonError, Problem, Problems
 from .reading import Read, read_in_full
+from .showing import has
 from .solving import Shown, meets, solved
 
 PLACES = 9  # of a range, at which a goal is tried
@@ -58,6 +60,8 @@ class _Check:
                     self.problems.add(use.line, "event-missing", key=use.key, value=use.event, names=names)
             for part in step.parts:
                 self._spans(part, times)
+                if isinstance(part, Scene):
+                    self._scene(part, step)
                 if isinstance(part, Sketch):
                     self._sketch(part, shown.solution, times)
                 if isinstance(part, Order):
@@ -75,6 +79,17 @@ class _Check:
                 code = "scene-unsolved" if isinstance(error, SceneError) else "scene-refused"
                 self.problems.add(step.line, code, why=" ".join(str(error).split())[:300])
         return self.known[shown]
+
+    def _scene(self, part: Scene, step: Step) -> None:
+        """What is shown has something to show, and what stands beside it can be solved."""
+        shown = self._solved(step)
+        for name in part.show or ():
+            if shown and not has(shown, name):
+                self.problems.add(part.line, "shows-nothing", key="show", value=name)
+        if part.beside and shown and shown.solution.peak_force is None:
+            self.problems.add(part.line, "beside-nothing")
+        if part.beside:
+            self._solved(replace(step, line=part.line, choices=step.choices | part.beside))
 
     def _spans(self, part: Part, times: dict[str, float]) -> None:
         """Those of events end behind where they begin."""

@@ -56,24 +56,29 @@ class Stage:
         """Those of them that a slider can have."""
         return [name for name in self.acting() if isinstance(Choices.param[name], param.Number)]
 
-    def change(self, fields: Fields, given: Any) -> dict[str, Any]:
-        """Take the settings of a table `changes`; what cannot be is noted."""
+    def change(self, fields: Fields) -> dict[str, Any]:
+        """Take the settings of a table `changes`."""
+        kept = self.settings(fields, "changes")
+        self.changes |= kept
+        return kept
+
+    def settings(self, fields: Fields, key: str) -> dict[str, Any]:
+        """Those of a table that can be here; what cannot is noted."""
+        given = fields.take(key)
         if given is None:
             return {}
         if not isinstance(given, dict):
-            fields.refuse("changes", given, allowed("a-table"))
+            fields.refuse(key, given, allowed("a-table"))
             return {}
         new = {name: value for name, value in given.items() if name in Choices.CHOSEN and _can_be(name, value)}
         known = [name for name in self._with(new).acting() if name != "scene"]
         for name, value in given.items():
-            full = f"changes.{name}"
+            full = f"{key}.{name}"
             if name not in known:
                 fields.refuse(full, value, wanted("choice-here", names=known))
             elif name not in new:
                 fields.refuse(full, value, possible(Choices.param[name]))
-        kept = {name: value for name, value in new.items() if name in known}
-        self.changes |= kept
-        return kept
+        return {name: value for name, value in new.items() if name in known}
 
     def _with(self, changes: dict[str, Any]) -> "Stage":
         found = Stage(self.scene)

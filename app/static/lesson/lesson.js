@@ -6,9 +6,11 @@ import { engineering, figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { Bar } from './bar.js';
+import { Below } from './below.js';
 import { eventsOf, timeOf, unitOf } from './events.js';
 import { elementsOf } from './nodes.js';
 import { asks, questionOf } from './questions.js';
+import { Second } from './second.js';
 import { Sketch } from './sketch.js';
 import { summaryOf } from './summary.js';
 
@@ -37,9 +39,8 @@ import { summaryOf } from './summary.js';
  */
 /** @typedef {{ of: string, far: number, answers: Record<string, any> }} Progress  `of`: questions as they were */
 
-const BELOW = ['rod', 'force']; // what the rows show
 const AT_FIRST = ['bodies'];
-const NUMBERS = 'numbers';
+const PLAIN = ['bodies', 'rows', 'numbers']; // what of it is no chart
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
 export class Lesson {
@@ -68,6 +69,8 @@ export class Lesson {
     const column = make('div', { className: 'lesson-column' }, this.words, this.asked);
     this.root = make('section', { className: 'lesson', ariaLabel: text('lesson.lesson') }, column, this.spoken);
     this.bar = new Bar(this);
+    this.below = new Below(page);
+    this.second = new Second(page);
     const word = make('span', { className: 'lesson-word', textContent: text('lesson.back') });
     this.back = make('button', { type: 'button', ariaLabel: text('lesson.back') }, '← ', word);
     this.back.onclick = () => this.enter(this.at - 1);
@@ -180,9 +183,10 @@ export class Lesson {
     this.#render();
     this.keep();
     if (focus) this.heading.focus();
-    const { choices, scene } = this.step;
+    const { beside } = this.#scene;
     const own = this.at;
-    page.goTo({ scene, ...choices, ...this.question?.choices }, (frame) => {
+    this.second.want(beside && Object.keys(beside).length ? { ...this.#settings, ...beside } : null);
+    page.goTo(this.#settings, (frame) => {
       if (frame && own === this.at) this.#arrive(frame);
     });
     page.history.write();
@@ -191,7 +195,25 @@ export class Lesson {
   #arrive(frame) {
     this.coming = false;
     this.load(frame);
+    this.below.show(this.below.names, true);
     this.#begin();
+    this.#beside(frame);
+  }
+  /** All that is chosen in this step. */
+  get #settings() {
+    return { scene: this.step.scene, ...this.step.choices, ...this.question?.choices };
+  }
+  /** Whether what happens is still to be said. */
+  get #closed() {
+    return Boolean(this.question?.predicts && !this.question.done);
+  }
+  /**
+   * What stands beside it is seen with what happens.
+   * @param {Frame} frame
+   */
+  async #beside({ chosen }) {
+    await this.second.solve(chosen);
+    if (this.second.run) this.second.show(!this.#closed);
   }
   #render() {
     const { step } = this;
@@ -226,7 +248,7 @@ export class Lesson {
   }
   /** The figures of the impact, which are no riddle any more. */
   #numbers() {
-    if (!this.#shown.includes(NUMBERS) || this.coming || !this.page.frame) return [];
+    if (!this.#shown.includes('numbers') || this.coming || !this.page.frame) return [];
     const tables = [...this.page.story.numbers.querySelectorAll('table')].map((table) => table.cloneNode(true));
     const root = make('div', { className: 'lesson-scroll', role: 'group', tabIndex: 0 }, ...tables);
     root.ariaLabel = text('lesson.numbers');
@@ -236,7 +258,8 @@ export class Lesson {
   arrange() {
     const { page, question } = this;
     const chart = question?.chart && !(question instanceof Sketch && question.laid) ? question.chart : null;
-    this.rows = !chart && this.#shown.some((name) => BELOW.includes(name));
+    this.rows = !chart && this.#shown.includes('rows');
+    this.below.show(chart || this.#closed ? [] : this.#shown.filter((name) => !PLAIN.includes(name)), !this.coming);
     const { root } = page;
     root.classList.toggle('sketching', Boolean(chart));
     if (chart && !chart.isConnected) root.append(chart);
@@ -279,8 +302,8 @@ export class Lesson {
   #limit() {
     const { at, play } = this.#scene;
     const { player } = this.page;
-    if (!this.question?.predicts || this.question.done) return Infinity;
-    if (this.question.chart) return 0;
+    if (!this.#closed) return Infinity;
+    if (this.question?.chart) return 0;
     const end = this.#span(play)?.[1] ?? ((at ?? null) === null ? NaN : this.#clock(at));
     return Number.isFinite(end) ? Math.max(end - player.start, 0) : Infinity;
   }
@@ -320,6 +343,7 @@ export class Lesson {
     this.keep();
     page.player.bound(Infinity);
     this.arrange();
+    if (this.second.run) this.second.show(true);
     if (sentence) this.speak(sentence);
     if (!shows) return;
     const said = this.asked.querySelector('.lesson-said, .lesson-judged');
@@ -335,6 +359,7 @@ export class Lesson {
     this.events = eventsOf(frame);
     this.unit = unitOf(frame);
     if (this.coming) return;
+    this.second.lay(!this.#closed);
     this.page.controls.lead(this.sliders ?? []);
     this.question?.load?.(frame);
   }
