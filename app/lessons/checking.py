@@ -2,22 +2,23 @@
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import param
 
-import solvers
 from solvers import SceneError, Solution
 
 from ..choices.choices import Choices
-from ..choices.scene_of import chosen_scene, own_choices
 from .events import times_of
 from .judging import exact_line, judged
-from .lesson import Goal, Lesson, Order, Part, Set, Sketch, Span, Step, Time
+from .lesson import Lesson, Order, Part, Scene, Set, Sketch, Span, Step, Time
 from .problems import LessonError, Problem, Problems
 from .reading import Read, read_in_full
+from .showing import has
+from .solving import Shown, meets, solved
 
 PLACES = 9  # of a range, at which a goal is tried
 PLACES_ANYWHERE = 41
@@ -42,53 +43,33 @@ def check(path: Path) -> Checked:
     return Checked(found.lesson, tuple(sorted(problems, key=lambda each: each.line)), found.lesson.missing)
 
 
-def solved(step: Step, **changes: Any) -> Solution:
-    """The impact that a step shows, with other `changes` of its choices. Raises ValueError."""
-    return solvers.solve(chosen_scene(own_choices(step.scene) | step.choices | changes))
-
-
-def meets(solution: Solution, goal: Goal) -> bool:
-    """Whether an impact meets a goal."""
-    values: dict[str, Any] = {
-        "contacts": len(solution.contacts),
-        "peak_force": solution.peak_force,
-        "impulse": solution.impulse,
-        "restitution": solution.restitution.get("newton"),
-        "contact_time": solution.contact_time,
-        "impactor_velocity": solution.table()["impactor"]["final_velocity"],
-        "target_velocity": solution.table()["target"]["final_velocity"],
-    }
-    value = values[goal.quantity]
-    if value is None:
-        return False
-    return {"=": value == goal.value, "<": value < goal.value, ">": value > goal.value}[goal.relation]
-
-
 class _Check:
     """Of one lesson; steps that show the same are solved once."""
 
     def __init__(self, read: Read):
         self.problems = Problems()
-        self.known: dict[str, Solution | None] = {}
+        self.known: dict[str, Shown | None] = {}
         for number, step in enumerate(read.lesson.steps):
-            solution = self._solved(step)
-            if solution is None:
+            shown = self._solved(step)
+            if shown is None:
                 continue
-            times = times_of(solution)
+            times = times_of(shown.solution)
             for use in read.uses:
                 if use.step == number and use.event not in times:
                     names = [name for name in times if name != "second" and name[-1] not in "3456789"]
                     self.problems.add(use.line, "event-missing", key=use.key, value=use.event, names=names)
             for part in step.parts:
                 self._spans(part, times)
+                if isinstance(part, Scene):
+                    self._scene(part, step)
                 if isinstance(part, Sketch):
-                    self._sketch(part, solution, times)
+                    self._sketch(part, shown.solution, times)
                 if isinstance(part, Order):
                     self._order(part, times)
                 if isinstance(part, Set):
                     self._goal(part, step)
 
-    def _solved(self, step: Step) -> Solution | None:
+    def _solved(self, step: Step) -> Shown | None:
         shown = repr((step.scene, sorted(step.choices.items())))
         if shown not in self.known:
             self.known[shown] = None
@@ -98,6 +79,17 @@ class _Check:
                 code = "scene-unsolved" if isinstance(error, SceneError) else "scene-refused"
                 self.problems.add(step.line, code, why=" ".join(str(error).split())[:300])
         return self.known[shown]
+
+    def _scene(self, part: Scene, step: Step) -> None:
+        """What is shown has something to show, and what stands beside it can be solved."""
+        shown = self._solved(step)
+        for name in part.show or ():
+            if shown and not has(shown, name):
+                self.problems.add(part.line, "shows-nothing", key="show", value=name)
+        if part.beside and shown and shown.solution.peak_force is None:
+            self.problems.add(part.line, "beside-nothing")
+        if part.beside:
+            self._solved(replace(step, line=part.line, choices=step.choices | part.beside))
 
     def _spans(self, part: Part, times: dict[str, float]) -> None:
         """Those of events end behind where they begin."""

@@ -43,12 +43,13 @@ class Text(Part):
 
 @dataclass(frozen=True, kw_only=True)
 class Scene(Part):
-    """What is shown from here on; None: as before. `play` runs once, `at` stands still."""
+    """What is shown from here on; None: as before. `play` runs once, `at` stands still; `beside` is of this step."""
 
     KIND: ClassVar = "scene"
     scene: str | None = None
     changes: dict[str, Any] = field(default_factory=dict)  # choices of the page
     show: tuple[str, ...] | None = None
+    beside: dict[str, Any] = field(default_factory=dict)  # choices of a second solution, in which it differs
     play: Span | None = None
     at: Time | None = None
     time: str = "both"

@@ -10,13 +10,10 @@ from solvers.validation import choice, number
 from .fields import LARGEST, Fields, numbers
 from .lesson import Choice, Found, Goal, Item, Mistake, Number, Option, Order, Part, Set
 from .problems import wanted
+from .solving import COUNTED, QUANTITIES
 from .stage import Stage, bounds_of, value_for
 from .units import UNITS, alike
 
-QUANTITIES = (  # of goals; SI units, velocities those behind the impact
-    *("contacts", "peak_force", "impulse", "restitution", "contact_time"),
-    *("impactor_velocity", "target_velocity"),
-)
 RELATIONS = ("=", "<", ">")
 GAPS_OF_SET = ("start", "end", "peak")
 GAPS_OF_ORDER = ("right", "all")
@@ -112,7 +109,8 @@ def read_set(fields: Fields, stage: Stage, name: str, line: int) -> Part:
     start = value_for(fields, "start", slider) if slider else fields.number("start")
     if slider:
         stage.changes[slider] = start
-    goal = fields.tried("goal", _goal, Goal("contacts", "=", 1.0), True)
+    known = [*QUANTITIES[stage.kind]]
+    goal = fields.tried("goal", lambda key, value: _goal(key, value, known), Goal(known[0], "=", 1.0), True)
     not_yet, more = fields.said("not-yet", GAPS_OF_SET), fields.sentence("more", must=False)
     whole, found = fields.sentence("all", must=False), []
     lines = {name: fields.line(name) for name in ("start", "goal")}
@@ -125,17 +123,17 @@ def read_set(fields: Fields, stage: Stage, name: str, line: int) -> Part:
     )  # fmt: skip
 
 
-def _goal(key: str, value: Any) -> Goal:
+def _goal(key: str, value: Any, known: list[str]) -> Goal:
     words = value.split() if isinstance(value, str) else []
     if len(words) == 3:
         quantity, relation, written = words
         try:
-            choice(key, quantity, QUANTITIES)
-            choice(key, relation, RELATIONS if quantity == "contacts" else RELATIONS[1:])  # never exactly met else
+            choice(key, quantity, known)
+            choice(key, relation, RELATIONS if quantity in COUNTED else RELATIONS[1:])  # never exactly met else
             return Goal(quantity, relation, number(key, float(written), -LARGEST, LARGEST))
         except ValueError:
             pass
-    raise SceneError(key, value, wanted("goal", quantities=[*QUANTITIES]))
+    raise SceneError(key, value, wanted("goal", quantities=known))
 
 
 Reader = Callable[[Fields, Stage, str, int], Part]

@@ -10,6 +10,7 @@ from .lesson import After, Lesson, Part, Scene, Step, Summary, Text
 from .problems import LessonError, Problems, wanted
 from .prose import paragraphs
 from .questions import Reader, read_choice, read_number, read_order, read_set
+from .showing import read_shown
 from .sketch import read_sketch
 from .stage import Stage, known_scene
 from .translation import merged, original_of
@@ -18,7 +19,6 @@ VERSION = 1
 MOST_STEPS = 20
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,59}")
 LANGUAGE = re.compile(r"[a-z]{2,3}(-[A-Z]{2})?")
-SHOWN = ("bodies", "rod", "force", "numbers")
 CLOCKS = ("both", "T")  # units of the time that is shown
 REQUIRED = ("lesson", "version", "language", "title", "scene")
 OPTIONAL = ("title-before", "minutes", "for", "next", "next-title")
@@ -162,10 +162,12 @@ def _read_scene(fields: Fields, stage: Stage, name: str, line: int) -> Part:
         scene = known_scene(scene, fields.line("scene"), "scene", fields.reading.problems)
         if scene:
             stage.turn_to(scene)
-    changes = stage.change(fields, fields.take("changes"))
-    show, sliders = fields.names("show", SHOWN), stage.sliders(fields)
+    changes, show = stage.change(fields), read_shown(fields, stage)
+    sliders, beside = stage.sliders(fields), stage.settings(fields, "beside")
     play, at, time = fields.span("play"), fields.time("at"), fields.choice("time", CLOCKS, CLOCKS[0])
-    return Scene(line=line, scene=scene, changes=changes, show=show, play=play, at=at, time=time, sliders=sliders)
+    return Scene(
+        line=line, scene=scene, changes=changes, show=show, beside=beside, play=play, at=at, time=time, sliders=sliders,
+    )  # fmt: skip
 
 
 def _read_after(fields: Fields, stage: Stage, name: str, line: int) -> Part:

@@ -34,6 +34,8 @@ CRITERIA = {
 
 def read_sketch(fields: Fields, stage: Stage, name: str, line: int) -> Part:
     """The chart, and its criteria in the order in which their sentences come."""
+    if stage.kind != "axial":
+        fields.reading.problems.add(line, "sketch-elsewhere", fence=f":::{{sketch}} {name}")
     track = fields.choice("track", TRACKS)
     unit = fields.choice("unit", TRACKS[track], TRACKS[track][0])
     until: Time = fields.time("until", must=True) or 1.0

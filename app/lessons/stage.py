@@ -8,7 +8,9 @@ import param
 
 from solvers.validation import allowed, shown
 
+from ..choices.built_in import base_of
 from ..choices.choices import SCENES, Choices, accepts
+from ..choices.kinds import kind_of
 from ..choices.opened import possible
 from ..choices.scene_of import acting_choices, own_choices
 from .fields import Fields
@@ -38,6 +40,11 @@ class Stage:
         """Another scene, as it is."""
         self.scene, self.changes = scene, {}
 
+    @property
+    def kind(self) -> str:
+        """Of the scene, by its name in messages."""
+        return kind_of(base_of(self.scene, self.own()["bodies"])).NAME
+
     def acting(self) -> list[str]:
         """Settings that change anything here."""
         try:
@@ -49,24 +56,29 @@ class Stage:
         """Those of them that a slider can have."""
         return [name for name in self.acting() if isinstance(Choices.param[name], param.Number)]
 
-    def change(self, fields: Fields, given: Any) -> dict[str, Any]:
-        """Take the settings of a table `changes`; what cannot be is noted."""
+    def change(self, fields: Fields) -> dict[str, Any]:
+        """Take the settings of a table `changes`."""
+        kept = self.settings(fields, "changes")
+        self.changes |= kept
+        return kept
+
+    def settings(self, fields: Fields, key: str) -> dict[str, Any]:
+        """Those of a table that can be here; what cannot is noted."""
+        given = fields.take(key)
         if given is None:
             return {}
         if not isinstance(given, dict):
-            fields.refuse("changes", given, allowed("a-table"))
+            fields.refuse(key, given, allowed("a-table"))
             return {}
         new = {name: value for name, value in given.items() if name in Choices.CHOSEN and _can_be(name, value)}
         known = [name for name in self._with(new).acting() if name != "scene"]
         for name, value in given.items():
-            full = f"changes.{name}"
+            full = f"{key}.{name}"
             if name not in known:
                 fields.refuse(full, value, wanted("choice-here", names=known))
             elif name not in new:
                 fields.refuse(full, value, possible(Choices.param[name]))
-        kept = {name: value for name, value in new.items() if name in known}
-        self.changes |= kept
-        return kept
+        return {name: value for name, value in new.items() if name in known}
 
     def _with(self, changes: dict[str, Any]) -> "Stage":
         found = Stage(self.scene)

@@ -1,5 +1,7 @@
 """Units that an answer may be in, by what they measure: factors to SI."""
 
+import math
+
 UNITS: tuple[dict[str, float], ...] = (
     {"s": 1.0, "ms": 1e-3, "µs": 1e-6},
     {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "µm": 1e-6},
@@ -11,7 +13,10 @@ UNITS: tuple[dict[str, float], ...] = (
     {"J": 1.0, "mJ": 1e-3, "kJ": 1e3},
     {"1": 1.0, "%": 1e-2},
     {"T": 1.0},
-    {"rad/s": 1.0, "Hz": 6.283185307179586},
+    {"rad/s": 1.0, "Hz": 2.0 * math.pi, "rpm": math.pi / 30.0},
+    {"rad": 1.0, "°": math.pi / 180.0},
+    {"N m": 1.0, "kN m": 1e3},
+    {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6},
 )
 
 

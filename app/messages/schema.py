@@ -143,6 +143,7 @@ BENDING: Fields = {  # of a beam, or the struck link of a mechanism
     **CYCLE,
     "refused": Field("Note | null", "why the chosen method is not shown"),
     "trip": Field("number", "1: the unit of its times [s]"),
+    "period": Field("number", "T: the slowest of the beam; where nothing rings, a millisecond [s]"),
     "speed": Field("number", "of the impact [m/s]"),
     "beam": Field("BeamRecord"),
     "impactor": STRIKER,

@@ -94,6 +94,7 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
         "refusals": refusals(scene),
         "refused": answer.reason and answer.reason.table(),
         "trip": 1.0,
+        "period": scene.time_unit,
         "duration": main.duration,
         "speed": scene.speed,
         "impactor": {"kind": scene.impactor.kind, "mass": min(scene.impactor.mass, LARGEST_MASS)},

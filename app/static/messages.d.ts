@@ -290,6 +290,7 @@ export interface Bending extends Common {
   /** (tests) force in them [N] */ testsForce?: Numbers;
   /** why the chosen method is not shown */ refused: Note | null;
   /** 1: the unit of its times [s] */ trip: number;
+  /** T: the slowest of the beam; where nothing rings, a millisecond [s] */ period: number;
   /** of the impact [m/s] */ speed: number;
   beam: BeamRecord;
   impactor: Striking;

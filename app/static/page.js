@@ -330,7 +330,7 @@ export class Page {
   }
   /** Of the view: that of the frame, unless the opening shows what the laboratory does not. */
   get kind() {
-    return this.opening.plan === 'opening' && falls(this.frame) ? 'fall' : this.frame.kind;
+    return this.opening.follows && falls(this.frame) ? 'fall' : this.frame.kind;
   }
   get view() {
     return this.views[this.kind];

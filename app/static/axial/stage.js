@@ -31,6 +31,7 @@ const HUNG = 0.68; // of its height: where a pendulum strikes, so that it is see
 const LEADS = { left: 0.3, bends: 0.44, thick: [0.42, 132], gap: 0.075 }; // shares and pixels, where the picture leads
 const FACE = 0.45; // of the picture: where a body without length is struck
 const SIGNED = 30; // pixels of a body that has room for a sign
+const BALLS = 4; // times larger or smaller at most that a ball of another mass is drawn
 const ROW = { struck: 0.34, leads: 0.44, most: 0.5 }; // of it: where a row of balls is struck; what it takes at most
 
 export class Stage {
@@ -92,10 +93,20 @@ export class Stage {
       moved > 0 ? Math.max(pixels, LEAST_ROOM) / moved : Infinity;
     const edges = Math.min(within(room[0], back), within(room[1], ahead));
     const most = Math.min((REACH * length) / reach, within(PRESSED * size, pressed), edges); // [px/m]
-    const radius = frame.impactor.radius ?? 0;
+    const radius = this.#radius(frame.impactor.radius ?? 0);
     const true_ = span > 0 ? length / span : radius > 0 ? size / (2 * radius) : hung;
     this.factor = true_ > 0 ? roundBelow(most / true_) : 0;
     this.scale = (true_ > 0 ? this.factor * true_ : most) * frame.speed * frame.trip;
+  }
+  /**
+   * Of a ball that is drawn: with another mass than its scene gives it, it is as large as that would be.
+   * @param {number} radius  as the scene has it, which the contact is about [m]
+   */
+  #radius(radius) {
+    const { chosen, own, target } = this.frame;
+    if (target.shape !== 'ball' || !chosen || !own) return radius; // outside the page
+    const heavier = Number(own.mass_ratio) / Number(chosen.mass_ratio);
+    return radius * Math.min(Math.max(Math.cbrt(heavier), 1 / BALLS), BALLS);
   }
   /**
    * Sizes of the striker and of a struck body without waves: by the radii of two balls, else by their masses.
@@ -113,8 +124,9 @@ export class Stage {
       return [unit * radii[0], unit * radii[1]];
     }
     if (target.shape === 'ball' && target.radius && impactor.kind === 'sphere' && impactor.radius) {
-      const larger = Math.max(impactor.radius, target.radius);
-      return [(most * impactor.radius) / larger, (most * target.radius) / larger];
+      const own = this.#radius(impactor.radius);
+      const larger = Math.max(own, target.radius);
+      return [(most * own) / larger, (most * target.radius) / larger];
     }
     const heavy = target.held && !this.span ? 1 : impactor.mass / target.mass; // a wall has no mass to compare with
     const usual = this.leads ? this.#thick(height) : BODY;

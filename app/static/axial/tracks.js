@@ -83,7 +83,7 @@ export function tracksOf(frame, field, forces) {
   } else {
     const [, most] = spanOf(force.y);
     const range = /** @type {[number, number]} */ ([ROOM * most * (force.factor ?? 1), 0]);
-    tracks.push({ title: text('opening.track.force'), share: 1.2, range, unit: 'N', series: forces });
+    tracks.push({ title: text('opening.track.force'), share: 1.2, range, unit: 'N', force: true, series: forces });
   }
   tracks.push(...barOf(frame, field.solution));
   const pressed = field.masses.map((moved, k) => Math.max(moved - field.ends[k], 0));

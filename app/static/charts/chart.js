@@ -81,6 +81,7 @@ import { Tools } from './tools.js';
  * @property {boolean} [points]  single samples are read, not all values at one x
  */
 
+const OTHERS = ['other', 'raw', 'rawExact', 'thinOther', 'dashedOther', 'halfSpace'];
 const WIDE = 5; // letters of a value, at least
 
 /** @typedef {{ spans: Span[], color: string }} Stretches  contacts of a solution that is laid over */
@@ -94,6 +95,7 @@ export class Chart extends Plot {
   /** @type {{ x: number, y?: number, text?: string } | null} */ now = null; // what the clock shows
   /** @type {import('./tip.js').Reading | null} */ inspected = null; // what a pointer or a key reads
   /** @type {Range | null} */ selected = null; // what a drag has passed over
+  lone = false; // without other solutions of the same impact beside the first
   factor = 1; // of values, for the unit shown
   unitShown = '';
   #longest = 0;
@@ -121,6 +123,7 @@ export class Chart extends Plot {
 
   /** @param {Content} content */
   show(content) {
+    if (this.lone) content = { ...content, series: content.series.filter(({ style }) => !OTHERS.includes(style)) };
     const unit = content.unit ?? this.options.unit;
     const laid = this.laid.filter((series) => !series.unit || series.unit === unit);
     this.own = content;

@@ -19,7 +19,7 @@ import { comparable } from './kinds.js';
  * @param {Run} run
  * @returns {('exact' | 'other')[]}
  */
-function drawnOf(now, { frame }) {
+export function drawnOf(now, { frame }) {
   const { impact, how } = kindsOf(now, frame);
   const other = how && 'other' in frame && Boolean(frame.other);
   return [
@@ -46,10 +46,10 @@ const lineOf = (samples, unit, how) =>
  * @param {'exact' | 'other'} which
  * @returns {{ name: string, style: Series['style'] }}
  */
-function dressOf({ frame, letter }, which) {
+function dressOf({ called: name, frame, letter }, which) {
   return which === 'exact'
-    ? { name: letter, style: `kept${letter}` }
-    : { name: `${letter}, ${otherOf(frame)}`, style: `kept${letter}Dashed` };
+    ? { name: name || letter, style: `kept${letter}` }
+    : { name: name || `${letter}, ${otherOf(frame)}`, style: `kept${letter}Dashed` };
 }
 
 /** @type {WeakMap<Frame, Source[]>} */
@@ -112,8 +112,8 @@ export function layOver(view, now, all) {
   charts.force.lay(force);
   charts.moved.lay(moved);
   charts.waves.lay([], stretches);
-  view.cycle.kept = runs.flatMap(({ frame, letter }) =>
-    'blowDepth' in frame ? [{ frame, name: letter, style: /** @type {const} */ (`kept${letter}`) }] : [],
+  view.cycle.kept = runs.flatMap(({ called: name, frame, letter }) =>
+    'blowDepth' in frame ? [{ frame, name: name || letter, style: /** @type {const} */ (`kept${letter}`) }] : [],
   );
   view.reactions?.keep(runs);
   for (const each of [view.gauge, view.supports])
@@ -125,9 +125,8 @@ export function layOver(view, now, all) {
  * @param {Run} run
  * @returns {Series[]}
  */
-function dispersionOf({ frame, letter }) {
+function dispersionOf({ called: name, frame, letter }) {
   if (!('wavenumbers' in frame) || !frame.wavenumbers || !frame.lower) return [];
-  return [
-    { x: frame.wavenumbers, y: frame.lower, factor: 0.5 / Math.PI, reach: 0, name: letter, style: `kept${letter}` },
-  ];
+  const dressed = /** @type {const} */ ({ name: name || letter, style: `kept${letter}` });
+  return [{ x: frame.wavenumbers, y: frame.lower, factor: 0.5 / Math.PI, reach: 0, ...dressed }];
 }

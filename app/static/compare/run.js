@@ -11,6 +11,7 @@ export const MOST = 4;
 export class Run {
   /** @type {Record<string, Histories | null>} */ #histories = {};
   /** @type {Frame | null} */ #frame = null;
+  called = ''; // in charts, in place of its letter
   asked = ''; // the ready-made comparison for which it was kept
 
   /**

@@ -37,6 +37,10 @@ export class Teaching {
   get hides() {
     return this.on && !this.lesson?.rows;
   }
+  /** Whether its charts are where they are seen. */
+  get placed() {
+    return this.lesson?.below.placed ?? true;
+  }
   /** Whether there is one; it is then fetched, and nothing of what happens is seen before. */
   start() {
     const { asked, page } = this;

@@ -1,19 +1,29 @@
 // What happens in a frame, by the names that lesson files have; what it is worth, and its curves.
 import { between } from '../charts/scale.js';
+import { cross, dot } from '../space/vectors.js';
 
-/** @import { AxialFrame, Frame } from '../messages.js' */
+/** @import { AxialFrame, BendingFrame, Contact, Energies, Frame, SpaceFrame } from '../messages.js' */
 /** @import { Samples } from '../charts/scale.js' */
 
 /** @typedef {Record<string, number>} Events  times [T] by name, as app/lessons/events.py has them */
 
 const MOST = 9; // of one kind
+const IMPACT = 2; // of bodies in space: how far their clock runs through the impulse
+
+/** @param {Frame} frame @returns {SpaceFrame | null} */
+const spaceOf = (frame) => (frame.kind === 'bodies' ? frame : null);
+
+/** @param {Frame} frame @returns {BendingFrame | null} */
+const bendingOf = (frame) => ('main' in frame ? frame : null);
+
+/** @param {Frame} frame @returns {AxialFrame | null} */
+const axialOf = (frame) => ('exact' in frame ? frame : null);
 
 /**
- * Of an impact along an axis; of others, which a lesson does not name events of, none.
+ * How many units of the page's clock a T is.
  * @param {Frame} frame
- * @returns {AxialFrame | null}
  */
-const axialOf = (frame) => ('exact' in frame && 'forceUnit' in frame ? /** @type {AxialFrame} */ (frame) : null);
+export const unitOf = (frame) => bendingOf(frame)?.period ?? 1;
 
 /**
  * @param {string} kind
@@ -22,25 +32,49 @@ const axialOf = (frame) => ('exact' in frame && 'forceUnit' in frame ? /** @type
 const named = (kind, number) => (number === 1 ? kind : `${kind}-${number}`);
 
 /**
+ * Contacts, on the page's clock.
+ * @param {Frame} frame
+ * @returns {Contact[]}
+ */
+const contactsOf = (frame) => axialOf(frame)?.exact.contacts ?? bendingOf(frame)?.contacts ?? [];
+
+/**
  * @param {Frame} frame
  * @returns {Events}
  */
 export function eventsOf(frame) {
-  const axial = axialOf(frame);
+  const space = spaceOf(frame);
+  if (space) return overImpulse(space);
   /** @type {Events} */
   const found = {};
-  if (!axial) return found;
-  axial.exact.contacts.slice(0, MOST).forEach(([start, end], k) => {
-    found[named('touch', k + 1)] = start;
-    found[named('part', k + 1)] = end;
-  });
-  const { rods } = axial;
+  const unit = unitOf(frame);
+  contactsOf(frame)
+    .slice(0, MOST)
+    .forEach(([start, end], k) => {
+      found[named('touch', k + 1)] = start / unit;
+      found[named('part', k + 1)] = end / unit;
+    });
+  const rods = axialOf(frame)?.rods ?? [];
   if (rods.length !== 1 || !rods[0].mirror) return found; // nothing comes back
   for (let number = 1; number <= MOST; number++) {
     found[named('wall', number)] = number - 0.5;
     found[named('back', number)] = number;
   }
   found.second = found['back-2'];
+  return found;
+}
+
+/**
+ * Of bodies in space, on the clock of their impulse; nothing of those that do not meet.
+ * @param {SpaceFrame} frame
+ */
+function overImpulse({ impulse, sliding }) {
+  /** @type {Events} */
+  const found = impulse > 0 ? { touch: 0, part: IMPACT } : {};
+  const most = sliding.at(-1)?.until ?? 1;
+  sliding.slice(1).forEach(({ kind }, k) => {
+    if (impulse > 0 && kind !== 'slip') found[kind] ??= (IMPACT * sliding[k].until) / most;
+  });
   return found;
 }
 
@@ -53,8 +87,11 @@ export const timeOf = (time, events) => (typeof time === 'number' ? time : (even
 
 /** @typedef {{ quantity: string, relation: string, value: number }} Goal */
 
+/** @param {Energies} energy */
+const lostOf = ({ dissipated, initial }) => dissipated / initial;
+
 /** @type {Record<string, (frame: AxialFrame) => number | null>} */
-const QUANTITIES = {
+const ALONG = {
   contacts: ({ exact }) => exact.contacts.length,
   peak_force: ({ exact }) => exact.peakForce,
   impulse: ({ exact }) => exact.contacts.reduce((sum, [, , impulse]) => sum + impulse, 0),
@@ -62,7 +99,54 @@ const QUANTITIES = {
   contact_time: ({ exact, trip }) => exact.contacts.reduce((sum, [start, end]) => sum + (end - start) * trip, 0),
   impactor_velocity: ({ exact, speed }) => (exact.final === null ? null : exact.final * speed),
   target_velocity: ({ exact, speed }) => exact.targetFinal * speed,
+  peak_indentation: ({ exact }) => exact.peakIndentation,
+  energy_lost: ({ exact }) => lostOf(exact.energy),
 };
+/** @type {Record<string, (frame: BendingFrame) => number | null>} */
+const ACROSS = {
+  contacts: ({ main }) => main.contacts,
+  peak_force: ({ main }) => main.peakForce,
+  impulse: ({ main }) => main.impulse,
+  restitution: ({ main }) => main.restitution.newton,
+  contact_time: ({ span }) => span.real,
+  impactor_velocity: ({ main }) => main.final,
+  target_velocity: ({ main }) => main.targetFinal,
+  peak_indentation: ({ main }) => main.peakIndentation,
+  energy_lost: ({ main }) => lostOf(main.energy),
+};
+/**
+ * About the line towards who looks at the picture.
+ * @param {'impactor' | 'target'} body
+ * @returns {(frame: SpaceFrame) => number}
+ */
+const spinOf =
+  (body) =>
+  ({ across, bodies, up }) =>
+    dot(bodies[body].after.spin, cross(across, up));
+/** @type {Record<string, (frame: SpaceFrame) => number | null>} */
+const IN_SPACE = {
+  impulse: ({ impulse }) => impulse,
+  impactor_spin: spinOf('impactor'),
+  target_spin: spinOf('target'),
+  energy_lost: ({ figures }) => {
+    const known = new Map(figures.map(([name, value]) => [name, Number(value)]));
+    const lost = (known.get('energy-lost') ?? 0) + (known.get('energy-rubbed') ?? 0);
+    return lost / (known.get('energy-before') ?? NaN);
+  },
+  sticks: ({ sliding }) => sliding.filter(({ kind }) => kind === 'stick').length,
+};
+
+/**
+ * What a goal can be about; the same as app/lessons/solving.py finds.
+ * @param {Frame} frame
+ * @param {string} quantity
+ */
+export function quantityOf(frame, quantity) {
+  const [axial, bending, space] = [axialOf(frame), bendingOf(frame), spaceOf(frame)];
+  if (axial) return ALONG[quantity]?.(axial) ?? null;
+  if (bending) return ACROSS[quantity]?.(bending) ?? null;
+  return (space && IN_SPACE[quantity]?.(space)) ?? null;
+}
 
 /**
  * Whether a frame meets a goal.
@@ -70,23 +154,22 @@ const QUANTITIES = {
  * @param {Goal} goal
  */
 export function meets(frame, { quantity, relation, value }) {
-  const axial = axialOf(frame);
-  const is = axial && QUANTITIES[quantity]?.(axial);
-  if (is === null || is === undefined) return false;
+  const is = quantityOf(frame, quantity);
+  if (is === null) return false;
   return relation === '=' ? is === value : relation === '<' ? is < value : is > value;
 }
 
 /**
- * The last contact: when it begins and ends [T], and its peak [N].
+ * The last contact: when it begins and ends, on the page's clock, and its peak [N].
  * @param {Frame} frame
  */
 export function lastContact(frame) {
-  const [start, end, , peak] = axialOf(frame)?.exact.contacts.at(-1) ?? [0, 0, 0, 0];
+  const [start, end, , peak] = contactsOf(frame).at(-1) ?? [0, 0, 0, 0];
   return { start, end, peak: peak ?? 0 };
 }
 
 /**
- * The force that is to be drawn, in a unit so many of which one of SI is.
+ * The force that is to be drawn, in a unit so many of which one of SI is; of an impact along an axis.
  * @param {Frame} frame
  * @param {number} factor
  * @returns {Samples}

@@ -70,7 +70,8 @@ export class Goal {
   #say(frame, met, which) {
     const { answer, lesson, part } = this;
     const { end, peak, start } = lastContact(frame);
-    const gaps = { start: lesson.timeWords(start), end: lesson.timeWords(end), peak: engineering(peak, 'N') };
+    const [from, to] = [start, end].map((t) => lesson.timeWords(t / lesson.unit));
+    const gaps = { start: from, end: to, peak: engineering(peak, 'N') };
     const whole = answer.found.length >= part.found.length;
     const rest = whole ? (part.found.length > 1 ? part.all : null) : answer.found.length ? part.more : null;
     const say = met ? part.found[which].say : part.not_yet;

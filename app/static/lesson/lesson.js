@@ -2,13 +2,15 @@
 import { make } from '../browser/dom.js';
 import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
-import { figures } from '../text/format.js';
+import { engineering, figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { Bar } from './bar.js';
-import { eventsOf, timeOf } from './events.js';
+import { Below } from './below.js';
+import { eventsOf, timeOf, unitOf } from './events.js';
 import { elementsOf } from './nodes.js';
 import { asks, questionOf } from './questions.js';
+import { Second } from './second.js';
 import { Sketch } from './sketch.js';
 import { summaryOf } from './summary.js';
 
@@ -37,9 +39,8 @@ import { summaryOf } from './summary.js';
  */
 /** @typedef {{ of: string, far: number, answers: Record<string, any> }} Progress  `of`: questions as they were */
 
-const BELOW = ['rod', 'force']; // what the rows show
 const AT_FIRST = ['bodies'];
-const NUMBERS = 'numbers';
+const PLAIN = ['bodies', 'rows', 'numbers']; // what of it is no chart
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
 export class Lesson {
@@ -47,6 +48,7 @@ export class Lesson {
   /** @type {Question | null} */ question = null;
   coming = false; // the scene of this step is still to come
   /** @type {Events} */ events = {};
+  unit = 1; // of the page's clock, that a T is
   rows = false; // whether they are seen below the picture
 
   /**
@@ -67,6 +69,8 @@ export class Lesson {
     const column = make('div', { className: 'lesson-column' }, this.words, this.asked);
     this.root = make('section', { className: 'lesson', ariaLabel: text('lesson.lesson') }, column, this.spoken);
     this.bar = new Bar(this);
+    this.below = new Below(page);
+    this.second = new Second(page);
     const word = make('span', { className: 'lesson-word', textContent: text('lesson.back') });
     this.back = make('button', { type: 'button', ariaLabel: text('lesson.back') }, '← ', word);
     this.back.onclick = () => this.enter(this.at - 1);
@@ -148,6 +152,7 @@ export class Lesson {
    * @param {number} t
    */
   timeWords(t) {
+    if (this.unit !== 1) return engineering(t * this.unit, 's'); // as all the page has it
     return `${figures(Number(t.toFixed(2)), 4)} T`;
   }
   /**
@@ -178,9 +183,10 @@ export class Lesson {
     this.#render();
     this.keep();
     if (focus) this.heading.focus();
-    const { choices, scene } = this.step;
+    const { beside } = this.#scene;
     const own = this.at;
-    page.goTo({ scene, ...choices, ...this.question?.choices }, (frame) => {
+    this.second.want(beside && Object.keys(beside).length ? { ...this.#settings, ...beside } : null);
+    page.goTo(this.#settings, (frame) => {
       if (frame && own === this.at) this.#arrive(frame);
     });
     page.history.write();
@@ -189,7 +195,25 @@ export class Lesson {
   #arrive(frame) {
     this.coming = false;
     this.load(frame);
+    this.below.show(this.below.names, true);
     this.#begin();
+    this.#beside(frame);
+  }
+  /** All that is chosen in this step. */
+  get #settings() {
+    return { scene: this.step.scene, ...this.step.choices, ...this.question?.choices };
+  }
+  /** Whether what happens is still to be said. */
+  get #closed() {
+    return Boolean(this.question?.predicts && !this.question.done);
+  }
+  /**
+   * What stands beside it is seen with what happens.
+   * @param {Frame} frame
+   */
+  async #beside({ chosen }) {
+    await this.second.solve(chosen);
+    if (this.second.run) this.second.show(!this.#closed);
   }
   #render() {
     const { step } = this;
@@ -224,7 +248,7 @@ export class Lesson {
   }
   /** The figures of the impact, which are no riddle any more. */
   #numbers() {
-    if (!this.#shown.includes(NUMBERS) || this.coming || !this.page.frame) return [];
+    if (!this.#shown.includes('numbers') || this.coming || !this.page.frame) return [];
     const tables = [...this.page.story.numbers.querySelectorAll('table')].map((table) => table.cloneNode(true));
     const root = make('div', { className: 'lesson-scroll', role: 'group', tabIndex: 0 }, ...tables);
     root.ariaLabel = text('lesson.numbers');
@@ -234,7 +258,8 @@ export class Lesson {
   arrange() {
     const { page, question } = this;
     const chart = question?.chart && !(question instanceof Sketch && question.laid) ? question.chart : null;
-    this.rows = !chart && this.#shown.some((name) => BELOW.includes(name));
+    this.rows = !chart && this.#shown.includes('rows');
+    this.below.show(chart || this.#closed ? [] : this.#shown.filter((name) => !PLAIN.includes(name)), !this.coming);
     const { root } = page;
     root.classList.toggle('sketching', Boolean(chart));
     if (chart && !chart.isConnected) root.append(chart);
@@ -264,18 +289,22 @@ export class Lesson {
     times.bare = this.#scene.time === BARE_T && !this.question?.done;
     this.page.root.classList.toggle('untimed', times.bare);
   }
+  /** @param {number | string} time  on the page's clock */
+  #clock(time) {
+    return timeOf(time, this.events) * this.unit;
+  }
   /** @param {[number | string, number | string] | null} [span] */
   #span(span) {
-    const [from, to] = (span ?? []).map((time) => timeOf(time, this.events));
+    const [from, to] = (span ?? []).map((time) => this.#clock(time));
     return from === undefined || !(to > from) ? null : [from, to];
   }
   /** How far one may look before one has said what happens. */
   #limit() {
     const { at, play } = this.#scene;
     const { player } = this.page;
-    if (!this.question?.predicts || this.question.done) return Infinity;
-    if (this.question.chart) return 0;
-    const end = this.#span(play)?.[1] ?? ((at ?? null) === null ? NaN : timeOf(at, this.events));
+    if (!this.#closed) return Infinity;
+    if (this.question?.chart) return 0;
+    const end = this.#span(play)?.[1] ?? ((at ?? null) === null ? NaN : this.#clock(at));
     return Number.isFinite(end) ? Math.max(end - player.start, 0) : Infinity;
   }
   #begin() {
@@ -285,7 +314,7 @@ export class Lesson {
     const after = this.#after;
     const part = done && (after.play || (after.at ?? null) !== null) ? after : this.#scene;
     const at = part.at ?? (done ? part.play?.[1] : null) ?? null;
-    if (at !== null) this.stand(timeOf(at, this.events));
+    if (at !== null) this.stand(this.#clock(at));
     else if (!done && part.play) this.play(part.play);
     else this.stand(0);
   }
@@ -314,20 +343,23 @@ export class Lesson {
     this.keep();
     page.player.bound(Infinity);
     this.arrange();
+    if (this.second.run) this.second.show(true);
     if (sentence) this.speak(sentence);
     if (!shows) return;
     const said = this.asked.querySelector('.lesson-said, .lesson-judged');
     if (said instanceof HTMLElement) said.focus({ preventScroll: true });
     const { at, play } = this.#after;
     if (play) this.play(play);
-    else if ((at ?? null) !== null) this.stand(timeOf(at, this.events));
+    else if ((at ?? null) !== null) this.stand(this.#clock(at));
     else if (question instanceof Sketch) this.play([0, question.drawn.until]);
     else if (this.#scene.play) this.play(this.#scene.play);
   }
   /** @param {Frame} frame  that is shown now */
   load(frame) {
     this.events = eventsOf(frame);
+    this.unit = unitOf(frame);
     if (this.coming) return;
+    this.second.lay(!this.#closed);
     this.page.controls.lead(this.sliders ?? []);
     this.question?.load?.(frame);
   }

@@ -85,7 +85,7 @@ function pushes(force, stretch) {
   const most = mostOf(Float64Array.from(force.x), Float64Array.from(force.y), stretch) * (force.factor ?? 1);
   return {
     ...{ title: text('opening.track.force'), share: SHARES.push, range: [ROOM * most, 0], unit: 'N' },
-    series: [{ ...force, style: 'exact' }],
+    ...{ force: true, series: [{ ...force, style: 'exact' }] },
   };
 }
 

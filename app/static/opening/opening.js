@@ -96,6 +96,10 @@ export class Opening {
   get #changes() {
     return changesOf(this.page.frame, this.#leading);
   }
+  /** Whether what is dropped is followed until it lies still; a lesson is about one impact. */
+  get follows() {
+    return this.plan === 'opening' && !this.teaching.on;
+  }
   /** Whether its picture is what is seen. */
   get leads() {
     return this.plan !== 'laboratory' || this.narrow;
@@ -142,12 +146,14 @@ export class Opening {
     const { stage } = this.page.view;
     const over = tall && root.dataset.size === 'desk';
     if ('lap' in stage) stage.lap = over ? this.section.root : null;
+    this.teaching.lesson?.below.lend();
   }
   /** Whether it is there as this scene wants it. */
   get placed() {
     const { layout, root } = this.page;
     const as = (/** @type {string} */ name, /** @type {boolean} */ wanted) => root.classList.contains(name) === wanted;
-    return layout.strip.firstChild === this.#strip && as('bare', this.#bare) && as('tall', this.#tall);
+    const there = layout.strip.firstChild === this.#strip && this.teaching.placed;
+    return there && as('bare', this.#bare) && as('tall', this.#tall);
   }
   /**
    * @param {Plan} plan

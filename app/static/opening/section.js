@@ -6,6 +6,7 @@ import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
 import { feet, NARROW, striker, struck, traces } from './beside.js';
+import { withBesides } from './besides.js';
 import { weave } from './rows.js';
 import { seam } from './seam.js';
 import { dot, drawTrack, placed } from './tracks.js';
@@ -70,7 +71,9 @@ export class Section {
   most = 0; // the end of the scale of forces [N]
   /** @type {unknown} */ scene = ''; // that it is of
   /** @type {Series | null} */ guess = null; // a line of force that was drawn by hand
-  lone = false; // without other solutions beside the first
+  lone = false; // without other solutions beside the first, but these
+  /** @type {Series[]} */ besides = [];
+  called = ''; // what the first is called beside them
   words = new Words(); // that are not paler before their time
   /** @type {{ track: Track, place: Place }[]} */ tracks = [];
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
@@ -104,7 +107,7 @@ export class Section {
    * @param {Scene | null} shown  nothing of bodies that have no rows
    */
   draw(shown) {
-    if (this.lone && shown?.drawn) shown = { ...shown, forces: shown.forces.slice(0, 1) };
+    if (this.lone && shown) shown = withBesides(shown, this.besides, this.called);
     this.shown = shown;
     this.root.hidden = !shown;
     this.page.root.classList.toggle('rowless', !shown);
@@ -159,13 +162,14 @@ export class Section {
    * The scale of forces stays while a peak can be read on it, so that a heavier mass is seen to push harder.
    * @param {Woven} scene
    */
-  #scale({ forces: [{ factor = 1, y }] }) {
+  #scale({ forces: [first, ...others] }) {
     const { frame, history } = this.page;
     const { scene } = frame.chosen;
     const hand = this.scene === scene && !history.going; // else it is as if the scene were opened so
     this.scene = scene;
     let peak = 0;
-    for (let k = 0; k < y.length; k++) peak = Math.max(peak, factor * y[k]);
+    for (const { factor = 1, y } of this.lone ? [first, ...others] : [first])
+      for (let k = 0; k < y.length; k++) peak = Math.max(peak, factor * y[k]);
     const share = peak / (TRACK.most * this.most);
     if (hand && share > KEEP[0] && share <= KEEP[1]) return;
     this.most = (peak || 1) / TRACK.most;

@@ -20,6 +20,7 @@ import { weave } from './rows.js';
  * @property {Bar[]} [bars]  that grow from zero
  * @property {Series[]} [series]  the first one filled from zero
  * @property {{ field: Rows, what: string, largest: number, duration: number }} [rows]  of a body that is laid flat
+ * @property {boolean} [force]  of the contact
  * @property {number[]} [marks]  shares of its width that are marked
  */
 /** @typedef {{ t: number, value: number, words: string }} Bar */

@@ -2,15 +2,24 @@
 
 import re
 from collections.abc import Mapping
+from typing import Any
 
 import pytest
 
+from app.lessons.lesson import Step
 from app.lessons.record import lesson_record
 from app.lessons.shipped import shipped_lesson
+from app.lessons.solving import solved
+from solvers import Solution
 
 from .written import nodes_in
 
 NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
+
+
+def solution_of(step: Step, **changes: Any) -> Solution:
+    """What a step shows, with other `changes` of its choices."""
+    return solved(step, **changes).solution
 
 
 def same(written: str, value: float) -> bool:

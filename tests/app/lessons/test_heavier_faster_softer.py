@@ -2,10 +2,9 @@
 
 import pytest
 
-from app.lessons.checking import solved
 from app.lessons.shipped import shipped_lesson
 
-from .numbers import assert_numbers, same
+from .numbers import assert_numbers, same, solution_of
 
 NAME = "heavier-faster-softer"
 STEPS = shipped_lesson(NAME).steps
@@ -22,7 +21,7 @@ def each_changed():
     """The four impacts of the order: softer, as at first, heavier, faster."""
     stiffness = STEPS[3].parts[2].start
     return [
-        solved(STEPS[2], **changes)
+        solution_of(STEPS[2], **changes)
         for changes in ({"hertz_stiffness": 0.5 * stiffness}, {}, {"mass_ratio": 1.5}, {"speed": 2.0})
     ]
 
@@ -30,8 +29,8 @@ def each_changed():
 @pytest.mark.parametrize("language", ["en", "es"])
 def test_numbers(language):
     softer, first, heavier, faster = each_changed()
-    spring, slow_spring = solved(STEPS[4]), solved(STEPS[4], speed=1.0)
-    rod, light = solved(STEPS[5]), solved(STEPS[5], mass_ratio=1.0)
+    spring, slow_spring = solution_of(STEPS[4]), solution_of(STEPS[4], speed=1.0)
+    rod, light = solution_of(STEPS[5]), solution_of(STEPS[5], mass_ratio=1.0)
     shorter, stronger = faster.contact_time / first.contact_time, mean(faster) / mean(first)
     assert heavier.scene.impactor.mass == pytest.approx(2.0 * first.scene.impactor.mass)
     assert faster.peak_force / first.peak_force == pytest.approx(stronger, rel=1e-4)
@@ -59,7 +58,7 @@ def test_answers():
     assert [each.answer for each in asked.mistakes[:3]] == pytest.approx(
         [2.0 * mean(first), 0.5 * mean(faster), KILO * faster.peak_force], rel=3e-3
     )
-    linear, slow = solved(STEPS[4]), solved(STEPS[4], speed=1.0)
+    linear, slow = solution_of(STEPS[4]), solution_of(STEPS[4], speed=1.0)
     assert spring.answer == pytest.approx(KILO * linear.peak_force, rel=1e-3)
     assert [each.answer for each in spring.mistakes[:3]] == pytest.approx(
         [KILO * factor * slow.peak_force for factor in (2.0**1.2, 4.0, 1.0)], rel=1e-3
@@ -68,15 +67,15 @@ def test_answers():
 
 def test_half_the_force_takes_twice_the_time():
     asked = STEPS[3].parts[2]
-    first, soft = solved(STEPS[3]), solved(STEPS[3], hertz_stiffness=asked.found[0].range[1])
+    first, soft = solution_of(STEPS[3]), solution_of(STEPS[3], hertz_stiffness=asked.found[0].range[1])
     assert asked.start == pytest.approx(first.scene.contact.stiffness, rel=1e-3)
     assert soft.peak_force < 0.51 * first.peak_force and soft.contact_time > 1.95 * first.contact_time
     assert soft.impulse == pytest.approx(first.impulse, rel=1e-6)
-    assert solved(STEPS[3], hertz_stiffness=3.1e9).peak_force > GOAL / KILO
+    assert solution_of(STEPS[3], hertz_stiffness=3.1e9).peak_force > GOAL / KILO
 
 
 def test_a_heavy_mass_changes_only_the_impulse_on_a_free_rod():
-    light, heavy = solved(STEPS[5], mass_ratio=1.0), solved(STEPS[5])
+    light, heavy = solution_of(STEPS[5], mass_ratio=1.0), solution_of(STEPS[5])
     unit = heavy.scene.time_unit
     assert heavy.scene.impactor.mass == pytest.approx(2.0 * light.scene.impactor.mass)
     assert (heavy.peak_force, heavy.contact_time) == pytest.approx((light.peak_force, light.contact_time), rel=1e-6)

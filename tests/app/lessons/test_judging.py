@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from app.lessons.checking import solved
 from app.lessons.events import times_of
 from app.lessons.judging import BIN, exact_line, judged
 from app.lessons.lesson import Sketch
 from app.lessons.shipped import shipped_lesson
+from app.lessons.solving import solved
 
 STEP = shipped_lesson("bounce-twice").steps[1]
 (SKETCH,) = [part for part in STEP.parts if isinstance(part, Sketch)]
-SOLUTION = solved(STEP)
+SOLUTION = solved(STEP).solution
 TIMES = times_of(SOLUTION)
 LINE = exact_line(SOLUTION, SKETCH, 2.6)
 TIME = BIN * np.arange(LINE.size)

@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from app.lessons.checking import solved
 from app.lessons.shipped import shipped_lesson
 
-from .numbers import assert_numbers, same
+from .numbers import assert_numbers, same, solution_of
 
 NAME = "mass-on-a-rod"
 STEPS = shipped_lesson(NAME).steps
@@ -21,7 +20,7 @@ def force(solution, at):
 
 @pytest.mark.parametrize("language", ["en", "es"])
 def test_numbers(language):
-    fixed, endless = solved(STEPS[0]), solved(STEPS[4])
+    fixed, endless = solution_of(STEPS[0]), solution_of(STEPS[4])
     rod, mass, speed = fixed.scene.target, fixed.scene.impactor.mass, fixed.scene.speed
     per_metre, wave_speed = rod.mass / rod.length, rod.wave_speed
     impedance = 1e-3 * per_metre * wave_speed
@@ -40,14 +39,14 @@ def test_numbers(language):
 
 
 def test_answers():
-    rod = solved(STEPS[0]).scene.target
+    rod = solution_of(STEPS[0]).scene.target
     way, push, fall = (STEPS[at].parts[2] for at in (1, 2, 5))
     assert way.answer == pytest.approx(1e-3 * MOMENT * rod.wave_speed, rel=2e-3)
     assert way.mistakes[0].numbers[1] == pytest.approx(rod.wave_speed / MOMENT, rel=1e-3)
     assert way.mistakes[0].numbers[2] == pytest.approx(1e3 * MOMENT / rod.wave_speed, rel=1e-3)
     assert push.answer == pytest.approx(1e-3 * rod.impedance, rel=1e-3)
     assert push.mistakes[0].answer == pytest.approx(0.5 * push.answer)
-    decay = 1e6 * solved(STEPS[0]).scene.impactor.mass / rod.impedance
+    decay = 1e6 * solution_of(STEPS[0]).scene.impactor.mass / rod.impedance
     assert fall.answer == pytest.approx(decay, rel=1e-3)
     assert fall.mistakes[0].answer == pytest.approx(0.5 * decay, rel=1e-3)
     assert fall.mistakes[1].numbers[0] == pytest.approx(1e3 / decay, rel=2e-3)
@@ -56,24 +55,24 @@ def test_answers():
 
 def test_only_the_speed_counts_at_the_first_touch():
     """The four strikes of the order, by their masses and speeds."""
-    rod = solved(STEPS[3]).scene.target
+    rod = solution_of(STEPS[3]).scene.target
     found = []
     for mass, speed in ((8.0, 1.0), (2.0, 2.0), (1.0, 3.0), (0.5, 4.0)):
-        solution = solved(STEPS[3], mass_ratio=rod.mass / mass, speed=speed)
+        solution = solution_of(STEPS[3], mass_ratio=rod.mass / mass, speed=speed)
         assert force(solution, 1e-5) == pytest.approx(1e-3 * rod.impedance * speed, rel=1e-3)
         found.append(force(solution, 1e-5))
     assert found == sorted(found)
 
 
 def test_a_double_mass_pushes_for_twice_as_long():
-    single, double = solved(STEPS[4]), solved(STEPS[4], mass_ratio=0.5)
+    single, double = solution_of(STEPS[4]), solution_of(STEPS[4], mass_ratio=0.5)
     assert double.peak_force == pytest.approx(single.peak_force, rel=1e-6)
     assert force(double, 1.0) == pytest.approx(force(single, 0.5), rel=1e-4)
     assert double.impulse == pytest.approx(2.0 * single.impulse, rel=1e-6)
 
 
 def test_the_wall_feels_twice_what_the_front_brings():
-    solution = solved(STEPS[6])
+    solution = solution_of(STEPS[6])
     rod, unit = solution.scene.target, solution.scene.time_unit
     assert len(STEPS[6].parts[2].options) == 3
     moving = 2.0 * rod.impedance * solution.scene.speed  # to stop what arrives, beside what it brings

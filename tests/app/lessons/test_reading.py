@@ -151,8 +151,8 @@ def test_the_record_is_plain():
     assert json.loads(json.dumps(record, allow_nan=False)) == record
     assert len(nodes_in(record)) > 50
     assert record["steps"][0]["parts"][0] == {
-        "kind": "scene", "scene": None, "changes": {"mass_ratio": 0.8}, "show": ["bodies"], "play": [-0.2, 1.85],
-        "at": None, "time": "T", "sliders": [],
+        "kind": "scene", "scene": None, "changes": {"mass_ratio": 0.8}, "show": ["bodies"],
+        "beside": {}, "play": [-0.2, 1.85], "at": None, "time": "T", "sliders": [],
     }  # fmt: skip
     text = record["steps"][0]["parts"][1]["nodes"]
     assert text[0]["kind"] == "paragraph" and text[0]["nodes"][0]["text"].startswith("A mass of 2.7 kg")

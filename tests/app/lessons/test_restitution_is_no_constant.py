@@ -2,22 +2,21 @@
 
 import pytest
 
-from app.lessons.checking import solved
 from app.lessons.shipped import shipped_lesson
 
-from .numbers import assert_numbers, same
+from .numbers import assert_numbers, same, solution_of
 
 NAME = "restitution-is-no-constant"
 STEPS = shipped_lesson(NAME).steps
 
 
 def restitution(step, **choices):
-    return solved(STEPS[step], **choices).restitution["newton"]
+    return solution_of(STEPS[step], **choices).restitution["newton"]
 
 
 @pytest.mark.parametrize("language", ["en", "es"])
 def test_numbers(language):
-    equal, light = solved(STEPS[0]), solved(STEPS[4])
+    equal, light = solution_of(STEPS[0]), solution_of(STEPS[4])
     slow, fast, speed = equal.impactor_velocity, equal.target_velocity, equal.scene.speed
     kept = (slow**2 + fast**2) / speed**2
     energy = equal.table()["energy"]
@@ -39,8 +38,8 @@ def test_numbers(language):
 
 
 def test_bodies_and_order():
-    assert solved(STEPS[0]).scene.mass_ratio == pytest.approx(1.0)
-    light = solved(STEPS[4])
+    assert solution_of(STEPS[0]).scene.mass_ratio == pytest.approx(1.0)
+    light = solution_of(STEPS[4])
     assert light.scene.mass_ratio == pytest.approx(5.0)
     assert abs(light.impactor_velocity) < 1e-3 * light.scene.speed
     energy = light.table()["energy"]
@@ -50,7 +49,7 @@ def test_bodies_and_order():
 
 
 def test_two_rods_stop_and_go_without_waves():
-    found = solved(STEPS[5]).table()["energy"]
+    found = solution_of(STEPS[5]).table()["energy"]
     assert found["target_vibration"] == pytest.approx(0.0, abs=1e-9)
     assert found["target_rigid"] == pytest.approx(found["initial"], rel=1e-9)
 

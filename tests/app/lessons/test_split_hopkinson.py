@@ -5,10 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from app.lessons.checking import solved
 from app.lessons.shipped import shipped_lesson
 
-from .numbers import assert_numbers, same
+from .numbers import assert_numbers, same, solution_of
 
 NAME = "split-hopkinson"
 STEPS = shipped_lesson(NAME).steps
@@ -16,7 +15,7 @@ STEPS = shipped_lesson(NAME).steps
 
 @pytest.mark.parametrize("language", ["en", "es"])
 def test_numbers(language):
-    found = solved(STEPS[0])
+    found = solution_of(STEPS[0])
     striker, (bar, specimen, _) = found.scene.impactor, found.scene.target.rods
     speed, unit = found.scene.speed, found.scene.time_unit
     pulse = found.contacts[0].end
@@ -44,7 +43,7 @@ def test_numbers(language):
 
 
 def test_striker_stands_still_and_both_faces_come_to_feel_the_same():
-    found = solved(STEPS[0])
+    found = solution_of(STEPS[0])
     row = np.searchsorted(found.time, 1.1 * found.contacts[0].end)
     assert abs(found.force[row]) < 1e-9 * found.peak_force
     assert found.contacts[0].impulse == pytest.approx(found.scene.impactor.mass * found.scene.speed, rel=1e-9)
@@ -55,7 +54,7 @@ def test_striker_stands_still_and_both_faces_come_to_feel_the_same():
 
 def test_order_of_events():
     """The front comes to the specimen, and to the far end."""
-    found = solved(STEPS[0])
+    found = solution_of(STEPS[0])
     bar, specimen, other = found.scene.target.rods
     items, unit = STEPS[6].parts[2].items, found.scene.time_unit
     arrival = bar.length / bar.wave_speed

@@ -4,10 +4,9 @@ import math
 
 import pytest
 
-from app.lessons.checking import solved
 from app.lessons.shipped import shipped_lesson
 
-from .numbers import assert_numbers
+from .numbers import assert_numbers, solution_of
 
 NAME = "when-is-a-body-rigid"
 STEPS = shipped_lesson(NAME).steps
@@ -28,26 +27,26 @@ def waves(solution):
 
 
 def shortest():
-    long = solved(STEPS[0])
+    long = solution_of(STEPS[0])
     ratio = long.scene.mass_ratio * SHORT / long.scene.target.length
-    return solved(STEPS[2], bodies=f"target.length={SHORT}", mass_ratio=ratio)
+    return solution_of(STEPS[2], bodies=f"target.length={SHORT}", mass_ratio=ratio)
 
 
 def of_spring():
     """Stiffness of the rod as a spring [N/m], and the half period [s]."""
-    scene = solved(STEPS[4]).scene
+    scene = solution_of(STEPS[4]).scene
     stiffness = scene.target.material.young * scene.target.area / scene.target.length
     return stiffness, math.pi * math.sqrt(scene.impactor.mass / stiffness)
 
 
 def in_order():
     """The impacts of the order."""
-    return [solved(STEPS[0]), *(solved(STEPS[5], mass_ratio=ratio) for ratio in (1.0, 0.5, 0.01))]
+    return [solution_of(STEPS[0]), *(solution_of(STEPS[5], mass_ratio=ratio) for ratio in (1.0, 0.5, 0.01))]
 
 
 @pytest.mark.parametrize("language", ["en", "es"])
 def test_numbers(language):
-    long, short, tiny, heavy = solved(STEPS[0]), solved(STEPS[2]), shortest(), solved(STEPS[4])
+    long, short, tiny, heavy = solution_of(STEPS[0]), solution_of(STEPS[2]), shortest(), solution_of(STEPS[4])
     speed, ratio, unit = long.scene.speed, long.scene.mass_ratio, long.scene.time_unit
     stiffness, half = of_spring()
     found = in_order()
@@ -66,7 +65,7 @@ def test_numbers(language):
 
 
 def test_answers():
-    long, (_, half) = solved(STEPS[0]), of_spring()
+    long, (_, half) = solution_of(STEPS[0]), of_spring()
     asked, period = STEPS[1].parts[2], STEPS[4].parts[2]
     assert asked.answer == pytest.approx(trips(long), rel=1e-3)
     assert [each.answer for each in asked.mistakes] == pytest.approx(
@@ -81,7 +80,7 @@ def test_answers():
 
 def test_the_ball_cannot_know_how_long_the_rod_is():
     """The same ball and rod, as long as the contact is over before T."""
-    long, short = solved(STEPS[0]), solved(STEPS[2])
+    long, short = solution_of(STEPS[0]), solution_of(STEPS[2])
     assert short.scene.impactor.mass == pytest.approx(long.scene.impactor.mass, rel=1e-4)
     assert trips(short) < 1.0 and short.scene.target.wave_speed * short.contact_time < short.scene.target.length
     assert short.impactor_velocity == pytest.approx(long.impactor_velocity, rel=1e-4)
@@ -91,9 +90,9 @@ def test_the_ball_cannot_know_how_long_the_rod_is():
 
 def test_a_soft_contact_makes_the_rod_rigid():
     asked = STEPS[3].parts[2]
-    assert asked.start == pytest.approx(solved(STEPS[0]).scene.contact.stiffness, rel=1e-3)
-    edge = solved(STEPS[3], hertz_stiffness=asked.found[0].range[1])
-    assert edge.restitution["newton"] > WANTED > solved(STEPS[3], hertz_stiffness=2e8).restitution["newton"]
+    assert asked.start == pytest.approx(solution_of(STEPS[0]).scene.contact.stiffness, rel=1e-3)
+    edge = solution_of(STEPS[3], hertz_stiffness=asked.found[0].range[1])
+    assert edge.restitution["newton"] > WANTED > solution_of(STEPS[3], hertz_stiffness=2e8).restitution["newton"]
     assert 0.7 < trips(edge) < 1.1
-    shares = [waves(solved(STEPS[3], hertz_stiffness=each)) for each in (1e7, 1e8, 1e9, 1e10)]
+    shares = [waves(solution_of(STEPS[3], hertz_stiffness=each)) for each in (1e7, 1e8, 1e9, 1e10)]
     assert shares == sorted(shares)

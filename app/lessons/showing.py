@@ -1,0 +1,41 @@
+"""What a step shows below its picture: rows over time, or charts and analyses of the page."""
+
+from ..views.registry import VIEWS
+from .fields import Fields
+from .solving import Shown
+from .stage import Stage
+
+PLAIN = ("bodies", "rows", "numbers")
+CHARTS = {  # of the page, by kind of scene
+    "axial": ("force", "moved", "indentation"),
+    "beam": ("force", "moved", "indentation", "dispersion"),
+    "mechanism": ("force", "moved", "indentation", "reactions"),
+    "bodies": ("hodograph", "course"),
+}
+ANALYSES = ("energy", "modes", "ratios", "spectrum", "joints", "convergence", "tradeoff", "stability")
+MOST = 2  # of both at once
+
+
+def read_shown(fields: Fields, stage: Stage) -> tuple[str, ...] | None:
+    """Names of a list `show`, of what there is for this kind of scene; None without one."""
+    analyses = [view.key for view in VIEWS if view.key in ANALYSES and stage.kind in view.kinds]
+    found = fields.names("show", [*PLAIN, *CHARTS[stage.kind], *analyses])
+    charts = [name for name in found or () if name not in PLAIN]
+    if found and (len(charts) > MOST or (charts and "rows" in found)):
+        fields.problem("show", "charts-and-rows", most=MOST)
+    return found
+
+
+def has(shown: Shown, name: str) -> bool:
+    """Whether there is anything of it in this impact."""
+    solution, chosen = shown.solution, shown.request.chosen
+    if name in ("force", "reactions"):
+        return solution.peak_force is not None
+    if name == "indentation":
+        return solution.peak_indentation is not None
+    if name in CHARTS["bodies"]:
+        return bool(solution.sliding)
+    if name == "energy":  # of a mechanism that moves on it is a chart
+        return True
+    views = [view for view in VIEWS if view.key == name]
+    return all(view.depends_on(chosen) is not None for view in views)
