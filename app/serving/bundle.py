@@ -23,18 +23,18 @@ ADDRESS = "ADDRESS_OF_ALL"  # stands for that of the folder of all modules
 OTHER = re.compile(r"^(?:import|export)\b(?! \{\};).*|\bimport\([^)]", re.MULTILINE)
 
 
-def bundle(root: Path, entry: str, texts: str = "", beside: str = "") -> str:
+def bundle(root: Path, entry: str, texts: str = "", beside: Iterable[str] = ()) -> str:
     """The module `entry` of this folder with all that it imports; it exports what that does.
 
     `texts`: the script of the texts beside it, which it fetches where the document, as somebody else's, has none.
-    `beside`: another entry, which has been loaded: what that imports is not there once more.
+    `beside`: other entries, which have been loaded: what those import is not there once more.
 
     Raises ValueError for a circle, and for an import or export of another form.
     """
     parts: list[str] = []
     there: dict[str, bool] = {}
-    if beside:
-        _add(root, beside, there, [])
+    for each in beside:
+        _add(root, each, there, [])
     _add(root, entry, there, parts)
     text = "".join(parts).replace(ADDRESS, f"new URL('{'../' * entry.count('/')}', import.meta.url)")
     names = ", ".join(EXPORT.findall((root / entry).read_text("utf-8")))

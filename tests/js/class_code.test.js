@@ -12,7 +12,7 @@ import {
   readCode,
   SALTS,
   shareOf,
-  toldOf,
+  givenOf,
 } from '../../app/static/lesson/code.js';
 
 const many = (count) => Array.from({ length: count }, () => ({}));
@@ -82,9 +82,9 @@ const why = (code, record = RECORD) => {
 
 test('whatever was answered comes back', () => {
   for (let k = 0; k < 400; k++) {
-    const told = any();
-    const found = readCode(RECORD, codeOf(RECORD, told, below(SALTS)));
-    const { once, ...others } = told;
+    const given = any();
+    const found = readCode(RECORD, codeOf(RECORD, given, below(SALTS)));
+    const { once, ...others } = given;
     const { once: places, ...rest } = found;
     assert.deepEqual(rest, others);
     assert.equal(Boolean(places), Boolean(once));
@@ -122,8 +122,8 @@ test('the same answers have other codes, of which no part but the first letter n
 });
 
 test('each wrong letter, each two neighbours that change places, and letters left out or added are found', () => {
-  for (const told of [ANSWERED, NONE, any(), any()]) {
-    const code = codeOf(RECORD, told, below(SALTS)).replaceAll('-', '');
+  for (const given of [ANSWERED, NONE, any(), any()]) {
+    const code = codeOf(RECORD, given, below(SALTS)).replaceAll('-', '');
     assert.equal(why(code), '');
     for (let k = 0; k < code.length; k++) {
       for (const letter of LETTERS)
@@ -156,7 +156,7 @@ test('codes of another lesson, of other questions, and what is none are refused 
   assert.equal(why('BCDF-BCDF-BCDF-BCDF'), 'check');
 });
 
-test('what the browser keeps of a lesson is told: first tries, and what was judged', () => {
+test('what the browser keeps of a lesson is given: first tries, and what was judged', () => {
   const line = [null, ...Array(130).fill(10), ...Array(130).fill(60)];
   const answers = {
     next: { picked: 2, done: false },
@@ -165,11 +165,11 @@ test('what the browser keeps of a lesson is told: first tries, and what was judg
     back: { written: '116', unit: 'µs', tries: 2, done: true, said: -1, first: { value: 58, unit: 'ms' } },
     story: { order: [0, 1], tries: 0, checked: false, done: false },
   };
-  const told = toldOf(RECORD, answers);
-  assert.deepEqual([told.next, told.story], [null, null]);
-  assert.deepEqual(told.once, { places: [null, 0.4] });
-  assert.deepEqual(told.back, { value: 58, unit: 'ms', tries: 2, right: true });
-  assert.deepEqual([told.force.outcomes, told.force.late], [['yes', 'no', 'late'], true]);
-  assert.deepEqual([told.force.line[0], told.force.line[11], told.force.line[23]], [10, 10, 60]);
-  assert.deepEqual(toldOf(RECORD, {}), NONE);
+  const given = givenOf(RECORD, answers);
+  assert.deepEqual([given.next, given.story], [null, null]);
+  assert.deepEqual(given.once, { places: [null, 0.4] });
+  assert.deepEqual(given.back, { value: 58, unit: 'ms', tries: 2, right: true });
+  assert.deepEqual([given.force.outcomes, given.force.late], [['yes', 'no', 'late'], true]);
+  assert.deepEqual([given.force.line[0], given.force.line[11], given.force.line[23]], [10, 10, 60]);
+  assert.deepEqual(givenOf(RECORD, {}), NONE);
 });

@@ -7,7 +7,7 @@ import { joined } from './judge.js';
 /** @typedef {{ lesson: string, steps: { parts: Part[] }[] }} Asks  of a lesson, what is needed here */
 /**
  * What was answered: the first time, where one may try again.
- * @typedef {object} Told
+ * @typedef {object} Answer
  * @property {number} [picked]  of the options
  * @property {number} [value]
  * @property {string} [unit]
@@ -19,7 +19,7 @@ import { joined } from './judge.js';
  * @property {boolean} [late]  drawn after looking at what happens
  * @property {number[]} [line]  values at equal steps from 0 until the end
  */
-/** @typedef {Record<string, Told | null>} Answers  by question; none where it was left out */
+/** @typedef {Record<string, Answer | null>} Answers  by question; none where it was left out */
 /** @typedef {(value: number, base: number) => number} Digit  writes one below its base, or reads one */
 
 export const LETTERS = 'BCDFGHJKLMNPQRSTWXZ'; // no vowel, so no word; none is like another, or like a digit
@@ -98,32 +98,32 @@ const stepped = (share, steps) => Math.round(Math.min(Math.max(share || 0, 0), 1
 
 /**
  * @param {Digit} digit
- * @param {Told | null} told
+ * @param {Answer | null} given
  */
-function triesIn(digit, told) {
-  const tries = digit(told ? Math.min(told.tries ?? 1, MOST_TRIES) : 0, MOST_TRIES + 1);
-  return tries ? { tries, right: Boolean(digit(told?.right ? 1 : 0, 2)) } : null;
+function triesIn(digit, given) {
+  const tries = digit(given ? Math.min(given.tries ?? 1, MOST_TRIES) : 0, MOST_TRIES + 1);
+  return tries ? { tries, right: Boolean(digit(given?.right ? 1 : 0, 2)) } : null;
 }
 
 /**
  * Four digits, a power of ten and the unit.
  * @param {Digit} digit
  * @param {Part} part
- * @param {Told | null} told
+ * @param {Answer | null} given
  */
-function numberIn(digit, { units }, told) {
-  const tried = triesIn(digit, told);
+function numberIn(digit, { units }, given) {
+  const tried = triesIn(digit, given);
   if (!tried) return null;
-  const given = told?.value ?? 0;
-  const [sized, power = '0'] = Math.abs(given)
+  const written = given?.value ?? 0;
+  const [sized, power = '0'] = Math.abs(written)
     .toExponential(DIGITS - 1)
     .split('e');
   const least = 10 ** (DIGITS - 1);
   const whole = Math.round(Number(sized) * least);
   const digits = digit(whole && whole - least + 1, 9 * least + 1);
   const tens = digit(Math.min(Math.max(Number(power), -FAR), FAR) + FAR, 2 * FAR + 1) - FAR;
-  const sign = digit(given < 0 ? 1 : 0, 2) ? '-' : '';
-  const unit = units[digit(Math.max(units.indexOf(told?.unit), 0), units.length)];
+  const sign = digit(written < 0 ? 1 : 0, 2) ? '-' : '';
+  const unit = units[digit(Math.max(units.indexOf(given?.unit), 0), units.length)];
   const value = digits ? Number(`${sign}${digits + least - 1}e${tens - DIGITS + 1}`) : 0;
   return { value, unit, ...tried };
 }
@@ -132,17 +132,17 @@ function numberIn(digit, { units }, told) {
  * A permutation by its number.
  * @param {Digit} digit
  * @param {Part} part
- * @param {Told | null} told
+ * @param {Answer | null} given
  */
-function orderIn(digit, { items }, told) {
-  const tried = triesIn(digit, told);
+function orderIn(digit, { items }, given) {
+  const tried = triesIn(digit, given);
   if (!tried) return null;
   const left = [...items.keys()];
-  const given = told?.order ?? left;
+  const placed = given?.order ?? left;
   let rank = digit(
-    given.reduce((sum, each, k) => {
-      const before = given.slice(k + 1).filter((other) => other < each).length;
-      return sum + before * factorial(given.length - 1 - k);
+    placed.reduce((sum, each, k) => {
+      const before = placed.slice(k + 1).filter((other) => other < each).length;
+      return sum + before * factorial(placed.length - 1 - k);
     }, 0),
     factorial(left.length),
   );
@@ -158,34 +158,34 @@ function orderIn(digit, { items }, told) {
 /**
  * @param {Digit} digit
  * @param {Part} part
- * @param {Told | null} told
+ * @param {Answer | null} given
  */
-function sketchIn(digit, { axis, judges }, told) {
-  if (!digit(told ? 1 : 0, 2)) return null;
-  const late = Boolean(digit(told?.late ? 1 : 0, 2));
+function sketchIn(digit, { axis, judges }, given) {
+  if (!digit(given ? 1 : 0, 2)) return null;
+  const late = Boolean(digit(given?.late ? 1 : 0, 2));
   const outcomes = judges.map((/** @type {Part} */ { criterion }, /** @type {number} */ k) => {
     const all = OUTCOMES[criterion];
-    return all[digit(Math.max(all.indexOf(told?.outcomes?.[k] ?? ''), 0), all.length)];
+    return all[digit(Math.max(all.indexOf(given?.outcomes?.[k] ?? ''), 0), all.length)];
   });
   const [low, high] = axis;
   const line = Array.from({ length: POINTS }, (_, k) => {
-    const level = digit(stepped(((told?.line?.[k] ?? low) - low) / (high - low), LEVELS), LEVELS + 1);
+    const level = digit(stepped(((given?.line?.[k] ?? low) - low) / (high - low), LEVELS), LEVELS + 1);
     return low + ((high - low) * level) / LEVELS;
   });
   return { outcomes, late, line };
 }
 
-/** @type {Record<string, (digit: Digit, part: Part, told: Told | null) => Told | null>} */
+/** @type {Record<string, (digit: Digit, part: Part, given: Answer | null) => Answer | null>} */
 const KINDS = {
-  choice: (digit, { options }, told) => {
-    const picked = digit((told?.picked ?? -1) + 1, options.length + 1) - 1;
+  choice: (digit, { options }, given) => {
+    const picked = digit((given?.picked ?? -1) + 1, options.length + 1) - 1;
     return picked < 0 ? null : { picked };
   },
   number: numberIn,
   order: orderIn,
-  set: (digit, { found, range }, told) => {
+  set: (digit, { found, range }, given) => {
     const places = found.map((/** @type {Part} */ _, /** @type {number} */ k) => {
-      const place = told?.places?.[k] ?? null;
+      const place = given?.places?.[k] ?? null;
       const step = digit(place === null ? 0 : stepped(shareOf(place, range), PLACES) + 1, PLACES + 2);
       return step ? settingAt((step - 1) / PLACES, range) : null;
     });
@@ -200,8 +200,8 @@ const KINDS = {
  * @param {Record<string, any>} answers
  * @returns {Answers}
  */
-export function toldOf(record, answers) {
-  const told = questionsOf(record).map(({ found, kind, name }) => {
+export function givenOf(record, answers) {
+  const given = questionsOf(record).map(({ found, kind, name }) => {
     const answer = answers[name];
     if (kind === 'choice') return [name, answer?.done ? { picked: answer.picked } : null];
     if (kind === 'set') {
@@ -215,7 +215,7 @@ export function toldOf(record, answers) {
     const { done: right, first, tries } = answer;
     return [name, { ...first, tries, right }];
   });
-  return Object.fromEntries(told);
+  return Object.fromEntries(given);
 }
 
 /** @param {Record<string, any>} answer  to a sketch */
@@ -291,24 +291,32 @@ const valuesOf = (number, count) =>
 /**
  * The code of answers.
  * @param {Asks} record
- * @param {Answers} told
+ * @param {Answers} given
  * @param {number} salt  a whole number below `SALTS`, so that the same answers have other letters
  */
-export function codeOf(record, told, salt) {
+export function codeOf(record, given, salt) {
   let [number, size] = [BigInt(printOf(record)), SIZE ** BigInt(PRINT)];
   const write = (/** @type {number} */ value, /** @type {number} */ base) => {
     number += size * BigInt(value);
     size *= BigInt(base);
     return value;
   };
-  for (const part of questionsOf(record)) KINDS[part.kind](write, part, told[part.name] ?? null);
+  for (const part of questionsOf(record)) KINDS[part.kind](write, part, given[part.name] ?? null);
   let count = 0;
   while (SIZE ** BigInt(count) < size || (count + HEAD + SEAL.length) % GROUP) count += 1;
   const head = [FORM, ...valuesOf(BigInt(salt), HEAD - 1)];
   const body = [...head, ...masked(head, valuesOf(number, count), 1)];
-  const letters = [...body, ...checkOf(body)].map((value) => LETTERS[value]).join('');
-  return letters.replace(/.{4}(?=.)/g, '$&-');
+  return grouped([...body, ...checkOf(body)].map((value) => LETTERS[value]).join(''));
 }
+
+/**
+ * A code as it is shown, however it was written.
+ * @param {string} written
+ */
+export const grouped = (written) => plain(written).replace(/.{4}(?=.)/g, '$&-');
+
+/** @param {string} written */
+const plain = (written) => written.toUpperCase().replace(/[\s–—_.-]/g, '');
 
 /**
  * What a code says. Raises CodeError for one that is mistyped, of a later form, or of another lesson.
@@ -317,7 +325,7 @@ export function codeOf(record, told, salt) {
  * @returns {Answers}
  */
 export function readCode(record, written) {
-  const letters = written.toUpperCase().replace(/[\s–—_.-]/g, '');
+  const letters = plain(written);
   const wrong = [...letters].find((each) => !LETTERS.includes(each));
   if (letters.length < HEAD + PRINT + SEAL.length) throw new CodeError('short');
   if (wrong) throw new CodeError('sign', wrong);
@@ -333,7 +341,7 @@ export function readCode(record, written) {
     return digit;
   };
   if (read(0, P ** PRINT) !== printOf(record)) throw new CodeError('other');
-  const told = questionsOf(record).map((part) => [part.name, KINDS[part.kind](read, part, null)]);
+  const given = questionsOf(record).map((part) => [part.name, KINDS[part.kind](read, part, null)]);
   if (number) throw new CodeError('other');
-  return Object.fromEntries(told);
+  return Object.fromEntries(given);
 }

@@ -40,7 +40,8 @@ def test_no_style_looks_at_what_an_element_contains():
 
 
 def test_all_modules_are_one_but_for_those_that_are_fetched_late():
-    whole, beside = bundle(STATIC, "page.js"), {entry: bundle(STATIC, entry, beside="page.js") for entry in APART}
+    whole = bundle(STATIC, "page.js")
+    beside = {entry: bundle(STATIC, entry, beside=("page.js", *before)) for entry, before in APART.items()}
     named = {path.relative_to(STATIC).as_posix(): path.read_text("utf-8") for path in STATIC.rglob("*.js")}
     known = {"browser/modules.js", "browser/start.js"}  # which the document loads
     known |= {name for name in named if name.startswith("offline/")}  # of a page without a server
