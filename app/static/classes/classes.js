@@ -78,8 +78,9 @@ export class Reading {
   #known(part, frame) {
     const laid = /** @type {Laid} */ (this.laid.get(part));
     laid.curve = curveOf(frame, FACTORS[part.unit] ?? 1);
-    laid.until = timeOf(part.until, eventsOf(frame));
-    laid.draw();
+    laid.events = eventsOf(frame);
+    laid.until = timeOf(part.until, laid.events);
+    this.#read();
   }
   #read() {
     const { area, record, sums } = this;

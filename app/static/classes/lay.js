@@ -2,9 +2,12 @@
 import { cleared } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { make } from '../browser/dom.js';
+import { figures } from '../text/format.js';
 import { axes, OWN, Paper } from '../lesson/drawing.js';
+import { timeOf } from '../lesson/events.js';
 
 /** @import { Samples } from '../charts/scale.js' */
+/** @import { Events } from '../lesson/events.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 
 const WIDTH = 2; // pixels of a line
@@ -25,7 +28,8 @@ function lineOf(c, paper, points) {
 export class Laid {
   /** @type {number[][]} */ lines = []; // values at equal steps
   /** @type {Samples} */ curve = { x: [], y: [] };
-  until = NaN; // [T]; not known before there is a frame, where it is an event
+  until = NaN; // [T]
+  /** @type {Events} */ events = {}; // of the frame, which comes later
 
   /** @param {[low: number, high: number]} axis */
   constructor(axis) {
@@ -33,6 +37,14 @@ export class Laid {
     this.canvas = make('canvas', { ariaHidden: 'true' });
     this.root = make('div', { className: 'class-laid', role: 'img' }, this.canvas);
     new ResizeObserver(() => this.draw()).observe(this.root);
+  }
+  /**
+   * A time of the lesson file, as it is written.
+   * @param {number | string | [number | string, number | string]} time
+   */
+  timeWords(time) {
+    const t = timeOf(Array.isArray(time) ? time[0] : time, this.events);
+    return Number.isFinite(t) ? `${figures(Number(t.toFixed(2)), 4)} T` : '…';
   }
   draw() {
     const { axis, curve, lines, until } = this;

@@ -27,14 +27,16 @@ function readLine(record, line) {
   let why = new CodeError('short');
   for (let n = 1; n <= pieces.length; n++) {
     const last = pieces.slice(-n);
-    const code = grouped(last.map(([piece]) => piece).join(''));
+    const [first, ...others] = last.map(([piece]) => piece.toUpperCase());
+    const code = grouped([first, ...others].join(''));
     try {
       const given = readCode(record, code);
       const name = line.slice(0, last[0].index).replace(/^[\s"']+|[\s,;"']+$/g, '');
       return { name: name.slice(0, NAME), code, given };
     } catch (error) {
       if (!(error instanceof CodeError)) throw error;
-      if (WHYS.indexOf(error.why) < WHYS.indexOf(why.why)) why = error;
+      const named = others.length && error.sign && !others.join('').includes(error.sign);
+      if (!named && WHYS.indexOf(error.why) < WHYS.indexOf(why.why)) why = error; // a name has any signs
     }
   }
   return why;

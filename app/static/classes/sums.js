@@ -6,6 +6,7 @@ import { LABELS } from '../text/words.js';
 import { signOf } from '../lesson/answered.js';
 import { shareOf } from '../lesson/code.js';
 import { elementsOf } from '../lesson/nodes.js';
+import { TRACKS } from '../lesson/sketch.js';
 import { foundOf, numbersOf, outcomesOf, pickedOf, placesOf, triesOf } from './counts.js';
 
 /** @import { Answer } from '../lesson/code.js' */
@@ -102,7 +103,7 @@ function set(part, given) {
   const { title, unit = '' } = LABELS[slider];
   const all = foundOf(part, given);
   const within = (/** @type {[number, number] | null} */ of) =>
-    of ? text('class.within', { title, low: figures(of[0]), high: figures(of[1]), unit }) : title;
+    of ? text('class.within', { title, low: figures(of[0]), high: figures(of[1]), unit }).trim() : title;
   const lines = part.found.map((/** @type {Part} */ found, /** @type {number} */ k) => {
     const words = [within(found.range), ': ', ...elementsOf(found.say, { start: '…', end: '…', peak: '…' })];
     return { right: null, words, count: all[k].length };
@@ -136,8 +137,8 @@ function drawn(part, given, laid) {
   laid.root.ariaLabel = text('class.laid', { count: given.length });
   const late = given.filter((each) => each.late).length;
   const counts = outcomesOf(part, given);
-  const gaps = { yours: '…', true: '…' };
-  const tables = part.judges.map((/** @type {Part} */ { says }, /** @type {number} */ k) => {
+  const tables = part.judges.map((/** @type {Part} */ { at, says }, /** @type {number} */ k) => {
+    const gaps = { yours: '…', true: laid.timeWords(at) };
     const lines = Object.entries(counts[k]).map(([outcome, count]) => {
       return { right: outcome === 'yes', words: elementsOf(says[outcome] ?? [], gaps), count };
     });
@@ -145,7 +146,9 @@ function drawn(part, given, laid) {
   });
   const words = text('class.of-sketch', { count: given.length, late });
   requestAnimationFrame(() => laid.draw());
-  return [make('p', { textContent: words }), laid.root, make('div', { className: 'class-criteria' }, ...tables)];
+  const axis = text('lesson.axis', { track: TRACKS[part.track], unit: part.unit });
+  const named = make('p', { className: 'class-axis', textContent: axis });
+  return [make('p', { textContent: words }), named, laid.root, make('div', { className: 'class-criteria' }, ...tables)];
 }
 
 /** @type {Record<string, (part: Part, given: Answer[], laid: Laid) => Node[]>} */

@@ -16,7 +16,7 @@ import { elementsOf, wordsOf } from './nodes.js';
 /** @import { Part, Question } from './questions.js' */
 
 export const FACTORS = /** @type {Record<string, number>} */ ({ kN: 1e-3 }); // that a unit has of one of SI
-const TRACKS = family('lesson.track');
+export const TRACKS = family('lesson.track');
 const SHORT = 0.1; // T at the end, that a line may leave out
 
 /** @implements {Question} */
