@@ -94,7 +94,8 @@ export class Opening {
     return leadingOf(frame, view.leading);
   }
   get #changes() {
-    return changesOf(this.page.frame, this.#leading);
+    const { changes, frame } = this.page;
+    return changesOf(frame, this.#leading).filter(([, name]) => !changes.held.stays(name));
   }
   /** Whether its picture is what is seen. */
   get leads() {
