@@ -4,6 +4,7 @@ import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
 import { questionsOf } from '../lesson/code.js';
 import { curveOf, eventsOf, timeOf } from '../lesson/events.js';
+import { copyButton } from '../lesson/handed.js';
 import { FACTORS } from '../lesson/sketch.js';
 import { csvOf } from './csv.js';
 import { Laid } from './lay.js';
@@ -44,10 +45,13 @@ export class Reading {
   #parts() {
     const { area, count, record, save, sums, unread } = this;
     const heading = make('h2', { textContent: text('class.of', { title: record.title }), tabIndex: -1 });
-    const lesson = make('a', { href: `?lesson=${record.lesson}`, textContent: text('class.lesson') });
+    const address = `?lesson=${record.lesson}`;
+    const { href } = new URL(address, window.location.href);
+    const lesson = make('a', { href: address, textContent: text('class.lesson') });
+    const copy = copyButton(text('class.copy-link'), href, () => {});
     const about = make('p', { textContent: text('class.about') });
     const label = make('label', {}, text('class.lines', { most: MOST }), area);
-    const head = make('header', {}, heading, make('p', {}, lesson), about);
+    const head = make('header', {}, heading, make('p', {}, lesson, ' ', copy), about);
     return [head, make('div', { className: 'class-put' }, label, count, unread, save), sums];
   }
   /** Take the place of all else. */

@@ -1,9 +1,10 @@
 // The lines that a class has drawn, laid over each other, and what happens on top of them.
-import { cleared } from '../charts/canvas.js';
+import { cleared, letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { make } from '../browser/dom.js';
+import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
-import { axes, OWN, Paper } from '../lesson/drawing.js';
+import { axes, OWN, Paper, say } from '../lesson/drawing.js';
 import { timeOf } from '../lesson/events.js';
 
 /** @import { Samples } from '../charts/scale.js' */
@@ -72,5 +73,9 @@ export class Laid {
     c.strokeStyle = COLORS.ink;
     c.lineWidth = WIDTH;
     lineOf(c, paper, inside);
+    if (!inside.length) return;
+    const [t, value] = inside.reduce((a, b) => (b[1] > a[1] ? b : a));
+    c.font = letters(13, '600 ');
+    say(c, text('lesson.happens'), paper.x(t) + 10, Math.max(paper.y(value) + 4, paper.top + 10), COLORS.ink);
   }
 }

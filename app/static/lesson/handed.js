@@ -6,6 +6,25 @@ import { codeOf, SALTS, givenOf } from './code.js';
 
 /** @import { Lesson } from './lesson.js' */
 
+/**
+ * @param {string} textContent
+ * @param {string} words  that it copies
+ * @param {(sentence: string) => void} say
+ */
+export function copyButton(textContent, words, say) {
+  const button = make('button', { type: 'button', className: 'whole', textContent });
+  button.onclick = async () => {
+    try {
+      await navigator.clipboard.writeText(words);
+      button.textContent = text('class.copied');
+    } catch {
+      button.textContent = text('class.by-hand', { words }); // where a browser forbids it
+    }
+    say(button.textContent);
+  };
+  return button;
+}
+
 /** @param {Lesson} lesson */
 function shown(lesson) {
   const { progress, record } = lesson;
@@ -13,17 +32,7 @@ function shown(lesson) {
   lesson.keep();
   const code = codeOf(record, givenOf(record, progress.answers), progress.salt);
   const written = make('code', { className: 'class-code', textContent: code, tabIndex: -1 });
-  const copy = make('button', { type: 'button', className: 'whole', textContent: text('class.copy') });
-  copy.onclick = async () => {
-    try {
-      await navigator.clipboard.writeText(code);
-      copy.textContent = text('class.copied');
-    } catch {
-      window.getSelection()?.selectAllChildren(written); // to be copied by hand
-      copy.textContent = text('class.selected');
-    }
-    lesson.speak(copy.textContent);
-  };
+  const copy = copyButton(text('class.copy'), code, (sentence) => lesson.speak(sentence));
   const about = make('p', { className: 'lesson-hint', textContent: text('class.holds') });
   return [make('p', { className: 'class-given' }, written, ' ', copy), about];
 }
