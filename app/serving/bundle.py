@@ -17,24 +17,25 @@ LATE = re.compile(r"\bimport\(`\./([^`]*)`\)")  # of a module in the same folder
 COMMENT = re.compile(r"^[ \t]*(?:/\*\*(?:(?!\*/)[\s\S])*\*/|//.*)\n", re.MULTILINE)  # that has its lines to itself
 CAST = re.compile(r"/\*\* @\w+ [^*]*\*/ ?")  # of a type, within a line
 TRAILING = re.compile(r"[ \t]+// [^'\"`\n]*$", re.MULTILINE)  # a comment, as nothing that is quoted ends behind it
+ENDED = re.compile(r"^((?:(?!//).)*[;,{(])\n", re.MULTILINE)  # a line that another may follow, as no comment is in it
 INDENT = re.compile(r"^\s+", re.MULTILINE)  # and empty lines
 APART = re.compile(r"\bimport\(new URL\(")  # of what is fetched when it is asked for, with a bundle of its own
 ADDRESS = "ADDRESS_OF_ALL"  # stands for that of the folder of all modules
 OTHER = re.compile(r"^(?:import|export)\b(?! \{\};).*|\bimport\([^)]", re.MULTILINE)
 
 
-def bundle(root: Path, entry: str, texts: str = "", beside: str = "") -> str:
+def bundle(root: Path, entry: str, texts: str = "", beside: Iterable[str] = ()) -> str:
     """The module `entry` of this folder with all that it imports; it exports what that does.
 
     `texts`: the script of the texts beside it, which it fetches where the document, as somebody else's, has none.
-    `beside`: another entry, which has been loaded: what that imports is not there once more.
+    `beside`: other entries, which have been loaded: what those import is not there once more.
 
     Raises ValueError for a circle, and for an import or export of another form.
     """
     parts: list[str] = []
     there: dict[str, bool] = {}
-    if beside:
-        _add(root, beside, there, [])
+    for each in beside:
+        _add(root, each, there, [])
     _add(root, entry, there, parts)
     text = "".join(parts).replace(ADDRESS, f"new URL('{'../' * entry.count('/')}', import.meta.url)")
     names = ", ".join(EXPORT.findall((root / entry).read_text("utf-8")))
@@ -58,7 +59,8 @@ def function(root: Path, entries: Iterable[str], name: str, without: Iterable[st
     absent = "".join(f"modules['{each}'] = {{}};\n" for each in there)
     for entry in entries:
         _add(root, entry, there, parts, late=False)
-    text = absent + "".join(parts).replace(ADDRESS, "globalThis.document.baseURI")
+    joined = (part if _spans(part) else ENDED.sub(r"\1", part) for part in parts)  # nobody packs what is on a disk
+    text = absent + "".join(joined).replace(ADDRESS, "globalThis.document.baseURI")
     return f"globalThis.{name} = async () => {{\nconst modules = (globalThis.strikewaveModules = {{}});\n{text}}};\n"
 
 
@@ -100,8 +102,12 @@ def _function_of(name: str, folder: PurePosixPath, text: str) -> str:
 def _shorter(text: str) -> str:
     """Without comments and types; without what is at the ends of lines, but for a template literal that spans some."""
     text = CAST.sub("", COMMENT.sub("", text))
-    spans = any(line.count("`") % 2 for line in text.splitlines())
-    return text if spans else INDENT.sub("", TRAILING.sub("", text))
+    return text if _spans(text) else INDENT.sub("", TRAILING.sub("", text))
+
+
+def _spans(text: str) -> bool:
+    """Whether a template literal does, of lines."""
+    return any(line.count("`") % 2 for line in text.splitlines())
 
 
 def _without_comments(text: str) -> str:

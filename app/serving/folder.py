@@ -136,8 +136,8 @@ def _scenes(names: list[str], laboratory: str, language: str) -> str:
 
 
 def _texts(language: str) -> dict[str, str]:
-    """Of the page, but for lessons, which a server gives."""
-    return {code: text for code, text in page(language).texts.items() if not code.startswith("lesson.")}
+    """Of the page, but for lessons and classes, which a server gives."""
+    return {code: text for code, text in page(language).texts.items() if not code.startswith(("lesson.", "class."))}
 
 
 def script(name: str, content: bytes) -> str:

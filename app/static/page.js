@@ -63,8 +63,7 @@ export class Page {
     this.names = Object.keys(model.spec);
     /** @type {Changes} */
     this.changes = new Changes({ model, lost: () => Boolean(this.connection?.lost), sent: () => this.#sent() });
-    const open = () => this.scenes.open();
-    this.controls = new Controls(model.spec, (name, value) => this.opening.stay(() => this.send(name, value)), open);
+    this.controls = new Controls(this);
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
     this.caption = new Caption();
@@ -229,8 +228,9 @@ export class Page {
    * @param {number | string} value
    */
   choose(name, value) {
-    this.controls.show(name, value);
-    this.send(name, value);
+    const allowed = this.changes.allowed(name, value);
+    this.controls.show(name, allowed);
+    this.send(name, allowed);
   }
   /**
    * Go to settings, those that are not given as the scene has them.

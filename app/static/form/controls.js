@@ -7,7 +7,7 @@ import { entryOf, SceneButton } from './scenes.js';
 import { Slider } from './slider.js';
 
 /** @import { Cushion, Frame } from '../messages.js' */
-/** @import { Spec } from '../wire/model.js' */
+/** @import { Page } from '../page.js' */
 /** @import { Kind } from '../frame/view.js' */
 
 /**
@@ -20,15 +20,13 @@ import { Slider } from './slider.js';
 export class Controls {
   /** @type {Record<string, Control>} */ fields = {};
 
-  /**
-   * @param {Spec} spec
-   * @param {(name: string, value: number | string) => void} send  takes every change that the visitor makes
-   * @param {() => void} gallery  opens it
-   */
-  constructor(spec, send, gallery) {
+  /** @param {Page} page */
+  constructor(page) {
+    const { spec } = page.model;
+    this.page = page;
     this.spec = spec;
-    this.send = send;
-    this.scene = new SceneButton(gallery);
+    this.held = page.changes.held;
+    this.scene = new SceneButton(() => page.scenes.open());
     this.fields.scene = this.scene; // which stands in the bar
     this.root = make('form', { className: 'controls' });
     this.root.onsubmit = (event) => event.preventDefault();
@@ -42,6 +40,26 @@ export class Controls {
     this.fields.law.root.append(this.cushions);
     this.note = make('p', { className: 'help' });
     this.fields.restitution.root.append(this.note);
+    this.#hold();
+  }
+  /**
+   * Takes every change that the visitor makes.
+   * @param {string} name
+   * @param {number | string} value
+   */
+  send(name, value) {
+    this.page.opening.stay(() => this.page.send(name, value));
+  }
+  /** A link may say that controls are not shown, or stay as they are. */
+  #hold() {
+    for (const [name, { root }] of Object.entries(this.fields)) {
+      root.classList.toggle('away', this.held.hidden.has(name));
+      root.classList.toggle('fixed', this.held.fixed.has(name));
+      if (!this.held.stays(name)) continue;
+      for (const input of root.querySelectorAll('input, select, button'))
+        /** @type {HTMLInputElement} */ (input).disabled = true;
+    }
+    this.root.classList.toggle('bodiless', this.held.hidden.has('bodies'));
   }
   /** @param {string} name */
   #select(name) {
@@ -62,7 +80,10 @@ export class Controls {
   }
   /** @param {string} name */
   #slider(name) {
-    return new Slider(name, LABELS[name], this.spec[name], (value) => this.send(name, value));
+    const { high, low } = this.spec[name];
+    const [least, most] = this.held.bounds.get(name) ?? [low, high];
+    const bounds = { ...this.spec[name], low: least, high: most };
+    return new Slider(name, LABELS[name], bounds, (value) => this.send(name, value));
   }
   /**
    * `refused`: back to this value, also where the hand still holds the slider.
@@ -103,7 +124,8 @@ export class Controls {
    * @param {Frame} frame
    */
   #cushion(frame) {
-    const cushions = 'cushions' in frame ? frame.cushions : [];
+    const all = 'cushions' in frame ? frame.cushions : [];
+    const cushions = all.filter(({ settings }) => !Object.keys(settings).some((name) => this.held.stays(name)));
     this.cushions.hidden = !cushions.length;
     const on = (/** @type {Cushion} */ { settings }) =>
       Object.entries(settings).every(([name, value]) => frame.chosen[name] === value);
@@ -132,6 +154,7 @@ export class Controls {
    * @param {Kind} kind  of it
    */
   arrange(frame, kind) {
+    for (const [name, value] of this.held.beyond(frame.chosen)) this.page.choose(name, value);
     this.#entitle(frame);
     this.#cushion(frame);
     for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);

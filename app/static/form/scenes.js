@@ -61,6 +61,7 @@ export class Scenes {
   }
   /** @param {string} [words]  that are searched */
   async open(words = '') {
+    if (this.page.changes.held.stays('scene')) return;
     const gallery = await this.#gallery();
     gallery?.open(words);
   }
@@ -137,6 +138,7 @@ export class Scenes {
   }
   /** @param {File} file */
   async read(file) {
+    if (this.page.changes.held.stays('scene')) return;
     if (file.size > MOST_BYTES) this.page.complain(text('gallery.too-long'));
     else (await this.#gallery())?.editor.run(await file.text());
   }

@@ -77,7 +77,7 @@ export function queryOf(page, moment = false) {
   const { lesson } = page.opening.teaching;
   if (lesson) return lesson.query;
   const panels = page.opening.leads && !page.opening.docked ? [] : panelsOf(model); // where they are seen
-  const said = [...choicesOf(model, frame), ...panels, ...viewOf(page, moment)];
+  const said = [...choicesOf(model, frame), ...page.changes.held.said, ...panels, ...viewOf(page, moment)];
   const query = new URLSearchParams([...said, ...page.opening.said(said.some(([key]) => key !== 'gallery'))]);
   return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);
 }

@@ -69,8 +69,10 @@ export function listenToKeys(page) {
   const key = (/** @type {KeyboardEvent} */ event) => {
     if (event.altKey || event.defaultPrevented) return;
     if (page.help.key(event, taken(event))) return;
-    if (page.opening.teaching.on) {
-      if (!taken(event) && !event.ctrlKey && !event.metaKey && page.player.key(event)) event.preventDefault();
+    const { lesson, on } = page.opening.teaching;
+    if (on) {
+      const plays = lesson && !taken(event) && !event.ctrlKey && !event.metaKey;
+      if (plays && page.player.key(event)) event.preventDefault();
       return; // all else would lead out of the lesson
     }
     if (page.scenes.key(event, taken(event))) return;

@@ -85,8 +85,8 @@ function stretchOf([start, end, ...more]) {
 export function follow(page, link) {
   const { bad, beside, colour, gallery, gauge, kept, locked, playing, read, t, tab, view: stretch } = link;
   const { compare, layout, player, view } = page;
-  if (bad.length)
-    page.complain([refusalIn(page.model), text('page.bad-link', { keys: bad })].filter(Boolean).join('\n'));
+  const wrong = [...page.changes.held.refused, ...(bad.length ? [text('page.bad-link', { keys: bad })] : [])];
+  if (wrong.length) page.complain([refusalIn(page.model), ...wrong].filter(Boolean).join('\n'));
   if (colour) view.colour?.(colour);
   if (read) view.gauge?.read(read);
   if (gauge !== null) view.gaugeAt?.(gauge);

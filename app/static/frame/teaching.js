@@ -1,10 +1,12 @@
-// A lesson, which is fetched where the address names one; what it looks like is in the folder of lessons.
+// A lesson, or the page that reads codes of its class: fetched where the address names one; see the folders of both.
 import { alone, carried, served } from '../browser/home.js';
 import { late, lateSheet } from '../browser/late.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
 /** @typedef {import('../lesson/lesson.js').Lesson} Lesson */
+/** @typedef {import('../lesson/lesson.js').Record_} Record_ */
+/** @typedef {{ name: string, step: number, language: string, reads: boolean }} Asked  `reads`: codes of its class */
 
 const SHEETS = ['lesson.css', 'questions.css'];
 const NAME = /^[a-z0-9-]{1,60}$/;
@@ -12,13 +14,14 @@ const NAME = /^[a-z0-9-]{1,60}$/;
 /**
  * What an address asks for.
  * @param {string} search
- * @returns {{ name: string, step: number, language: string } | null}
+ * @returns {Asked | null}
  */
 export function lessonIn(search) {
   const query = new URLSearchParams(search);
-  const name = query.get('lesson');
+  const reads = query.has('class');
+  const name = query.get(reads ? 'class' : 'lesson');
   if (name === null || !alone || carried) return null;
-  return { name, step: Math.trunc(Number(query.get('step')) || 1), language: query.get('language') ?? '' };
+  return { name, step: Math.trunc(Number(query.get('step')) || 1), language: query.get('language') ?? '', reads };
 }
 
 export class Teaching {
@@ -52,14 +55,20 @@ export class Teaching {
   }
   /**
    * Open it at its step. Without it the page goes on, and says why.
-   * @param {{ name: string, step: number, language: string }} asked
+   * @param {Asked} asked
    */
   async #open(asked) {
     const { page } = this;
     try {
-      this.lesson = await this.#fetched(asked);
-      this.lesson.open();
-      this.lesson.enter(asked.step - 1, false);
+      const record = await this.#record(asked);
+      const { Lesson } = await late('lesson/lesson.js');
+      await Promise.all(SHEETS.map((each) => lateSheet(`lesson/${each}`, page.root)));
+      if (asked.reads) await this.#read(record);
+      else {
+        this.lesson = /** @type {Lesson} */ (new Lesson(page, record));
+        this.lesson.open();
+        this.lesson.enter(asked.step - 1, false);
+      }
     } catch (error) {
       this.asked = this.lesson = null;
       page.player.bound(Infinity);
@@ -71,18 +80,21 @@ export class Teaching {
     page.root.style.visibility = '';
   }
   /**
-   * @param {{ name: string, language: string }} asked
-   * @returns {Promise<Lesson>}
+   * @param {Asked} asked
+   * @returns {Promise<Record_>}  what it says
    */
-  async #fetched({ language, name }) {
+  async #record({ language, name }) {
     if (!NAME.test(name)) throw new RangeError();
-    const { page } = this;
     const address = served(`lessons/${name}`);
     if (language) address.searchParams.set('language', language);
-    const [module, answer] = await Promise.all([late('lesson/lesson.js'), fetch(address)]);
+    const answer = await fetch(address);
     if (answer.status === 404) throw new RangeError();
-    const record = await answer.json();
-    await Promise.all(SHEETS.map((each) => lateSheet(`lesson/${each}`, page.root)));
-    return new module.Lesson(page, record);
+    return answer.json();
+  }
+  /** @param {Record_} record */
+  async #read(record) {
+    const { Reading } = await late('classes/classes.js'); // which has parts of lessons
+    await lateSheet('classes/classes.css', this.page.root);
+    new Reading(this.page, record).open();
   }
 }

@@ -69,7 +69,7 @@ export class Paper {
  * @param {string} color
  * @param {CanvasTextAlign} [align]
  */
-function say(c, words, x, y, color, align = 'left') {
+export function say(c, words, x, y, color, align = 'left') {
   c.textAlign = align;
   c.textBaseline = 'alphabetic';
   c.lineJoin = 'round';

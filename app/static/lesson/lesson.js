@@ -37,7 +37,10 @@ import { summaryOf } from './summary.js';
  * @property {string} next_title
  * @property {Step[]} steps
  */
-/** @typedef {{ of: string, far: number, answers: Record<string, any> }} Progress  `of`: questions as they were */
+/**
+ * `of`: questions as they were; `salt`: of their code
+ * @typedef {{ of: string, far: number, answers: Record<string, any>, salt?: number }} Progress
+ */
 
 const AT_FIRST = ['bodies'];
 const PLAIN = ['bodies', 'rows', 'numbers']; // what of it is no chart

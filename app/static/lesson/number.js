@@ -122,6 +122,7 @@ export class NumberQuestion {
     if (found.unit) unit.value = found.unit;
     const { mistake, right } = judgeNumber(part, found.value, unit.value);
     Object.assign(answer, { written: input.value, unit: unit.value, said: mistake, done: right });
+    answer.first ??= { value: found.value, unit: unit.value };
     answer.tries += 1;
     this.#render();
     if (right) lesson.answered(wordsOf(part.yes));

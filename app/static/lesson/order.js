@@ -137,6 +137,7 @@ export class Order {
   #check() {
     const { answer, lesson, part } = this;
     answer.tries += 1;
+    answer.first ??= { order: [...answer.order] };
     answer.checked = true;
     answer.done = this.#right === answer.order.length;
     this.#render();

@@ -15,8 +15,8 @@ import { elementsOf, wordsOf } from './nodes.js';
 /** @import { Lesson } from './lesson.js' */
 /** @import { Part, Question } from './questions.js' */
 
-const FACTORS = /** @type {Record<string, number>} */ ({ kN: 1e-3 }); // that a unit has of one of SI
-const TRACKS = family('lesson.track');
+export const FACTORS = /** @type {Record<string, number>} */ ({ kN: 1e-3 }); // that a unit has of one of SI
+export const TRACKS = family('lesson.track');
 const SHORT = 0.1; // T at the end, that a line may leave out
 
 /** @implements {Question} */

@@ -1,6 +1,7 @@
 // At the end of a lesson: what was said, and what is so, side by side.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
+import { handed } from './handed.js';
 import { elementsOf } from './nodes.js';
 import { asks, questionOf } from './questions.js';
 
@@ -28,5 +29,5 @@ export function summaryOf(lesson, part) {
   );
   const onward = make('a', { href: `?lesson=${next}`, textContent: text('lesson.follows', { title }) });
   const end = make('p', { className: 'lesson-end' }, ...elementsOf(part.say));
-  return make('div', {}, end, ...parts, ...(next ? [make('p', {}, onward)] : []));
+  return make('div', {}, end, ...parts, handed(lesson), ...(next ? [make('p', {}, onward)] : []));
 }

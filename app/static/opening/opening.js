@@ -94,7 +94,8 @@ export class Opening {
     return leadingOf(frame, view.leading);
   }
   get #changes() {
-    return changesOf(this.page.frame, this.#leading);
+    const { changes, frame } = this.page;
+    return changesOf(frame, this.#leading).filter(([, name, value]) => changes.allowed(name, value) === value);
   }
   /** Whether what is dropped is followed until it lies still; a lesson is about one impact. */
   get follows() {

@@ -1,6 +1,9 @@
 // What is chosen, on its way to the server: one change at a time, the next when the last is answered, and then only the
 // newest of each. Whole sets of settings go in two steps: the scene, which brings its own values, then the rest.
 
+import { alone } from '../browser/home.js';
+import { Held } from './held.js';
+
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Model } from './model.js' */
 
@@ -33,6 +36,7 @@ export class Changes {
   /** @param {Server} server */
   constructor(server) {
     this.server = server;
+    this.held = new Held(alone ? window.location.search : '', server.model.spec ?? {});
   }
   /**
    * @param {Frame} frame
@@ -47,6 +51,14 @@ export class Changes {
     return this.asked ? performance.now() - this.asked : 0;
   }
   /**
+   * What a choice may be where this is asked for.
+   * @param {string} name
+   * @param {number | string} value
+   */
+  allowed(name, value) {
+    return this.held.within(name, value, this.waiting[name] ?? this.server.model[name]);
+  }
+  /**
    * Set by hand, which ends any goal.
    * @param {string} name
    * @param {number | string} value
@@ -54,7 +66,7 @@ export class Changes {
    */
   set(name, value, wait = () => 0) {
     this.leave();
-    this.waiting[name] = value;
+    this.waiting[name] = this.allowed(name, value);
     const rest = wait();
     clearTimeout(this.resting);
     this.resting = rest && window.setTimeout(() => this.#rested(), rest);

@@ -10,7 +10,7 @@ import urllib.request
 import pytest
 
 from app.choices.choices import SCENES
-from app.serving.bundle import bundle
+from app.serving.bundle import bundle, function
 from app.serving.pages import APART, FIGURES, LIBRARIES, STATIC, VERSION, shell, text_of
 from solvers.text.catalogue import SOURCE
 
@@ -40,7 +40,8 @@ def test_no_style_looks_at_what_an_element_contains():
 
 
 def test_all_modules_are_one_but_for_those_that_are_fetched_late():
-    whole, beside = bundle(STATIC, "page.js"), {entry: bundle(STATIC, entry, beside="page.js") for entry in APART}
+    whole = bundle(STATIC, "page.js")
+    beside = {entry: bundle(STATIC, entry, beside=("page.js", *before)) for entry, before in APART.items()}
     named = {path.relative_to(STATIC).as_posix(): path.read_text("utf-8") for path in STATIC.rglob("*.js")}
     known = {"browser/modules.js", "browser/start.js"}  # which the document loads
     known |= {name for name in named if name.startswith("offline/")}  # of a page without a server
@@ -122,3 +123,10 @@ def test_a_link_of_many_fields_is_answered_with_the_page(server, fields):
     """Beyond a thousand it was an empty 400."""
     with urllib.request.urlopen(f"http://{server}/?" + "&".join(["mass_ratio=3"] * fields), timeout=60) as page:
         assert page.status == 200 and b"Strikewave" in page.read()
+
+
+def test_lines_on_a_disk_are_joined_but_behind_a_comment_and_in_a_literal_that_spans_some(tmp_path):
+    (tmp_path / "a.js").write_text("const a = [\n  1,\n  2, // it's one;\n  3,\n];\nexport const b = a;\n")
+    (tmp_path / "c.js").write_text("export const c = `d;\n  e`;\n")
+    text = function(tmp_path, ["a.js", "c.js"], "run")
+    assert "[\n1,2, // it's one;\n3,];const b = a;" in text and "`d;\n  e`" in text

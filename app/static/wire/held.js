@@ -1,0 +1,102 @@
+// What a link takes from the controls: some are hidden, some stay as they are, some move within bounds. That helps a
+// class to look at one thing; it is no lock, as anybody may change the link.
+import { text } from '../text/catalogue.js';
+
+/** @import { Chosen } from '../messages.js' */
+/** @import { Spec } from './model.js' */
+
+const LESSONS = ['lesson', 'class']; // which say themselves what may be moved
+const NUMBER = /^-?\d{1,12}(\.\d{1,12})?(e[+-]?\d{1,3})?$/i;
+const LONGEST = 40; // letters of a value that are said
+
+export class Held {
+  /** @type {Set<string>} */ hidden = new Set();
+  /** @type {Set<string>} */ fixed = new Set();
+  /** @type {Map<string, [low: number, high: number]>} */ bounds = new Map();
+  /** @type {string[]} */ refused = []; // sentences
+  scene = ''; // whose values were brought within the bounds
+
+  /**
+   * @param {string} search  of the address
+   * @param {Spec} spec
+   */
+  constructor(search, spec) {
+    this.spec = spec;
+    const query = new URLSearchParams(search);
+    if (LESSONS.some((key) => query.has(key))) return;
+    const all = (/** @type {string} */ key) => (query.get(key) ?? '').split(',').filter(Boolean);
+    for (const name of all('hide')) this.#named('hide', name, Object.keys(spec), () => this.hidden.add(name));
+    const fixable = Object.keys(spec).filter((name) => name !== 'bodies');
+    for (const name of all('fix')) this.#named('fix', name, fixable, () => this.fixed.add(name));
+    const sliders = Object.keys(spec).filter((name) => spec[name].low !== undefined);
+    for (const given of all('bound')) {
+      const [name, ...ends] = given.split(':');
+      this.#named('bound', name, sliders, () => this.#bound(given, name, ends));
+    }
+  }
+  /**
+   * @param {string} key
+   * @param {string} name
+   * @param {string[]} allowed
+   * @param {() => void} take
+   */
+  #named(key, name, allowed, take) {
+    if (allowed.includes(name)) take();
+    else this.refused.push(text('held.name', { key, value: name.slice(0, LONGEST), options: allowed }));
+  }
+  /**
+   * @param {string} given
+   * @param {string} name
+   * @param {string[]} ends
+   */
+  #bound(given, name, ends) {
+    const { high: most, low: least, whole } = this.spec[name];
+    const [low, high] = ends.map(Number);
+    const numbers = ends.length === 2 && ends.every((end) => NUMBER.test(end));
+    const possible = numbers && low < high && low >= least && high <= most;
+    if (possible && (!whole || (Number.isInteger(low) && Number.isInteger(high)))) this.bounds.set(name, [low, high]);
+    else this.refused.push(text('held.bound', { value: given.slice(0, LONGEST), name, least, most, whole }));
+  }
+  /**
+   * Whether nobody is to change a choice.
+   * @param {string} name
+   */
+  stays(name) {
+    return this.hidden.has(name) || this.fixed.has(name);
+  }
+  /**
+   * The value that a choice may have instead of one that is asked for.
+   * @template {number | string} Value
+   * @param {string} name
+   * @param {Value} value
+   * @param {Value} now  that it has
+   * @returns {Value}
+   */
+  within(name, value, now) {
+    if (this.stays(name)) return now;
+    const [low, high] = this.bounds.get(name) ?? [-Infinity, Infinity];
+    return typeof value === 'number' ? /** @type {Value} */ (Math.min(Math.max(value, low), high)) : value;
+  }
+  /**
+   * Choices of a scene that has just come, which are beyond their bounds, and where they are to go.
+   * @param {Chosen} chosen
+   * @returns {[name: string, value: number][]}
+   */
+  beyond(chosen) {
+    if (chosen.scene === this.scene) return [];
+    this.scene = String(chosen.scene);
+    return [...this.bounds].flatMap(([name, [low, high]]) => {
+      const value = Number(chosen[name]);
+      const to = Math.min(Math.max(value, low), high);
+      return value === to ? [] : [/** @type {[string, number]} */ ([name, to])];
+    });
+  }
+  /** @returns {[key: string, value: string][]}  what the address says of it */
+  get said() {
+    const bounds = [...this.bounds].map(([name, ends]) => [name, ...ends].join(':'));
+    const all = { hide: [...this.hidden], fix: [...this.fixed], bound: bounds };
+    return Object.entries(all).flatMap(([key, names]) =>
+      names.length ? [/** @type {[string, string]} */ ([key, names.join(',')])] : [],
+    );
+  }
+}
