@@ -21,11 +21,12 @@ from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
 from ..page.lab import STATIC, VERSION
 from ..page.picker import gallery
-from ..text.catalogues import LANGUAGES, language_for, page, script
+from ..text.catalogues import LANGUAGES, direction, page, script
 from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
 from .bundle import bundle
 from .door import FULL
+from .language import ASKED, language_of
 from .limits import MAX_PAGES_OF_ONE
 from .still import bare_frame, first_still
 
@@ -83,7 +84,7 @@ def shell(first: bool, language: str) -> str:
     text = (Path(__file__).parent / "page.html").read_text(encoding="utf-8")
     for mark, code in (("TITLE", "document.title"), ("ABOUT", "document.about"), ("NO-SCRIPT", "document.no-script")):
         text = text.replace(mark, escape(page(language).texts[code]))
-    text = text.replace("VERSION", VERSION).replace("LANGUAGE", language)
+    text = text.replace("VERSION", VERSION).replace("LANGUAGE", language).replace("DIRECTION", direction(language))
     text = text.replace("PRELOADS", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
     return text.replace("STYLE", (STATIC / "frame/page.css").read_text("utf-8")).replace(
         "STILL", first_still(page(language)) if first else bare_frame()
@@ -98,7 +99,7 @@ class Page(RequestHandler):
         self._door, self._address = settings["door"], settings["addresses"].of(self.request)
 
     async def get(self) -> None:
-        language = language_for(self.request.headers.get("Accept-Language", ""))
+        language = language_of(self.request)
         self.set_header("Cache-Control", "no-store")  # each page has a session of its own
         turnstile, visitor = of_loop(Turnstile), Stranger(PAGES, self._address)
         busy = turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
@@ -112,7 +113,7 @@ class Page(RequestHandler):
             self.write(f"{head}<p>{page(language).text(FULL)}</p>")
             return
         session = {"token": self._door.issue(self.request.query_arguments), "documentation": documentation()}
-        first = not self.request.query_arguments
+        first = not self.request.query_arguments.keys() - {ASKED}
         self.write(shell(first, language).replace("SESSION", escape(json.dumps(session), quote=False)))
 
     head = get  # of which no body is sent
@@ -209,22 +210,25 @@ class Figure(RequestHandler):
 class Gallery(RequestHandler):
     """Pictures of scenes and the list of all; a browser keeps it, and asks whether it is still the same."""
 
-    def get(self) -> None:
+    def get(self, language: str) -> None:
+        if language not in LANGUAGES:
+            raise HTTPError(404)
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Content-Type", "application/json")
         self.set_header("Vary", "Accept-Encoding")
         packed = "gzip" in self.request.headers.get("Accept-Encoding", "")
         if packed:
             self.set_header("Content-Encoding", "gzip")
-        self.write(gallery_packed() if packed else gzip.decompress(gallery_packed()))
+        known = gallery_packed(language)
+        self.write(known if packed else gzip.decompress(known))
 
     head = get
 
 
 @cache
-def gallery_packed() -> bytes:
-    """The gallery as JSON, packed: the same for all."""
-    return gzip.compress(json.dumps(gallery(), ensure_ascii=False, separators=(",", ":")).encode(), 9, mtime=0)
+def gallery_packed(language: str) -> bytes:
+    """The gallery as JSON, packed: the same for all who read the language."""
+    return gzip.compress(json.dumps(gallery(language), ensure_ascii=False, separators=(",", ":")).encode(), 9, mtime=0)
 
 
 @cache

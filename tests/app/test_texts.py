@@ -132,7 +132,8 @@ TALKING = ("command", "page", "views", "choices", "lessons", "serving", "jobs") 
 TWO_WORDS = re.compile(r"[A-Za-z]{2,}[,.;:]? \(?[A-Za-z]{2,}")
 FOR_MACHINES = re.compile(
     r"^(not allowed|too many messages|not compiled|public, max-age.*|[a-z-]+-src '.*|"
-    r"<.*|.*preserveAspectRatio.*|application/json.*|.*; charset=.*|.* blob:; .*|preload\" as=\"style|modulepreload)$"
+    r"<.*|.*preserveAspectRatio.*|application/json.*|.*; charset=.*|.* blob:; .*|Accept-Language, Cookie|"
+    r"preload\" as=\"style|modulepreload)$"
 )
 
 

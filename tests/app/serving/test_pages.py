@@ -91,7 +91,7 @@ def test_what_cannot_be_bundled_is_refused(tmp_path, text, reason):
 
 
 @pytest.mark.parametrize(
-    "path", ["", "liveness", "gallery", "?mass_ratio=3", LIBRARIES[0][0], f"figures/en/{next(iter(FIGURES))}"]
+    "path", ["", "liveness", "gallery/en", "?mass_ratio=3", LIBRARIES[0][0], f"figures/en/{next(iter(FIGURES))}"]
 )
 def test_a_head_is_answered_as_the_whole_is_without_its_body(server, path):
     whole = urllib.request.urlopen(f"http://{server}/{path}", timeout=60)
@@ -101,13 +101,13 @@ def test_a_head_is_answered_as_the_whole_is_without_its_body(server, path):
 
 
 def test_the_gallery_is_the_same_packed_or_not_and_asked_for_again_if_it_has_changed(server):
-    plain, packed = fetched(server, "gallery"), fetched(server, "gallery", "gzip")
+    plain, packed = fetched(server, "gallery/en"), fetched(server, "gallery/en", "gzip")
     whole = plain.read()
     assert gzip.decompress(packed.read()) == whole and packed.headers["Content-Encoding"] == "gzip"
     found = json.loads(whole)
     assert sum(len(scenes) for _, scenes in found["scenes"]) == len(SCENES)
     assert {name for _, names in found["cards"] for name in names} == found["pictures"].keys()
-    again = urllib.request.Request(f"http://{server}/gallery", headers={"If-None-Match": plain.headers["Etag"]})
+    again = urllib.request.Request(f"http://{server}/gallery/en", headers={"If-None-Match": plain.headers["Etag"]})
     with pytest.raises(urllib.error.HTTPError, match="304"):
         urllib.request.urlopen(again, timeout=30)
 
