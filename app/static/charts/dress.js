@@ -57,9 +57,15 @@ export function dress(plot, place) {
  * @param {any} formatter
  */
 function localise(formatter) {
-  const own = formatter.doFormat.bind(formatter);
-  formatter.doFormat = (/** @type {any[]} */ ...given) =>
-    own(...given).map((/** @type {any} */ tick) => (typeof tick === 'string' ? localised(tick) : tick));
+  const own = formatter.format_graphics.bind(formatter);
+  formatter.format_graphics = (/** @type {any[]} */ ...given) => {
+    const drawn = own(...given);
+    for (const tick of drawn) {
+      const words = tick.base ?? tick; // of a power of ten
+      words.text = localised(words.text);
+    }
+    return drawn;
+  };
 }
 
 const LEGEND = {
