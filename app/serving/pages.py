@@ -42,7 +42,8 @@ SHEETS = "sheets.css"  # likewise, for the sheets that it names
 IMPORT = re.compile(r"@import '\./([^']+)';\n")
 SPARE = re.compile(r"^\s+|/\*[\s\S]*?\*/\n?|(?<=[;{},])\n", re.MULTILINE)  # of styles: comments, and room between rules
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
-TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
+SCRIPTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
+TEXTS = {language: (text, gzip.compress(text, 6, mtime=0)) for language, text in SCRIPTS.items()}
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 # what is sent packed, by its ending
 PACKED = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".wasm": "application/wasm"}
@@ -142,22 +143,26 @@ def pack() -> None:
         _packed(file)
 
 
-def _send(handler: RequestHandler, file: Path) -> None:
+def _send(handler: RequestHandler, ending: str, whole: bytes, packed: bytes) -> None:
     """A script, a style or kernels, packed for who can read that."""
-    handler.set_header("Content-Type", PACKED[file.suffix])
+    handler.set_header("Content-Type", PACKED[ending])
     handler.set_header("Cache-Control", FOR_EVER)
     handler.set_header("Vary", "Accept-Encoding")
-    packed = "gzip" in handler.request.headers.get("Accept-Encoding", "")
-    if packed:
+    unpacks = "gzip" in handler.request.headers.get("Accept-Encoding", "")
+    if unpacks:
         handler.set_header("Content-Encoding", "gzip")
-    handler.write(_packed(file) if packed else text_of(file))
+    handler.write(packed if unpacks else whole)
+
+
+def _send_file(handler: RequestHandler, file: Path) -> None:
+    _send(handler, file.suffix, text_of(file), _packed(file))
 
 
 class Library(RequestHandler):
     """A script of Bokeh or Panel, which the page names with a version of its own."""
 
     def get(self, name: str) -> None:
-        _send(self, dict(LIBRARIES)[name])
+        _send_file(self, dict(LIBRARIES)[name])
 
     head = get  # of which no body is sent
 
@@ -167,7 +172,7 @@ class Asset(StaticFileHandler):
 
     async def get(self, path: str, include_body: bool = True) -> None:
         if path in FILES and Path(path).suffix in PACKED and include_body:
-            _send(self, STATIC / path)
+            _send_file(self, STATIC / path)
         else:
             await super().get(path, include_body)
 
@@ -187,9 +192,7 @@ class Texts(RequestHandler):
     """The catalogue of a language, which is in no file."""
 
     def get(self, language: str) -> None:
-        self.set_header("Content-Type", "text/javascript; charset=utf-8")
-        self.set_header("Cache-Control", FOR_EVER)
-        self.write(TEXTS[language])
+        _send(self, ".js", *TEXTS[language])
 
     head = get
 
