@@ -39,7 +39,9 @@ SIZES = [(1920, 1080), (1440, 900), (1280, 720), (820, 1180), (390, 844)]
         "?layout=laboratory",
         "?scene=hammer-on-cantilever",
         "?scene=four-bar-moves",
-        "?scene=brick-on-floor&layout=opening",
+        *(f"?scene={name}&layout=opening" for name in ("brick-on-floor", "bouncing-ball", "newtons-cradle")),
+        "?scene=compound-pendulum&layout=opening",
+        "?panel=methods",
     ],
 )
 def test_what_is_said_in_spanish_has_its_room(open_page, size, query):
