@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from solvers import Mechanism, Scene
+from solvers.text.catalogue import SOURCE
 from solvers.text.notes import Note
 
 from ..choices.beam import on_beam
@@ -24,9 +25,9 @@ def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
     return [[heading.table(), scenes] for heading, scenes in groups.items()]
 
 
-def gallery() -> dict[str, Any]:
+def gallery(language: str = SOURCE) -> dict[str, Any]:
     """What the browser makes the gallery of: cards by group, their pictures, all scenes by heading, each as
-    [name, title, what else it is found by], and lessons, each as [name, title].
+    [name, title, what else it is found by], and lessons, each as [name, title] in this language.
     """
     scenes = [
         [heading, [[name, title, _found_by(SCENES[name])] for name, title in listed]]
@@ -34,12 +35,13 @@ def gallery() -> dict[str, Any]:
     ]
     sheet = {"width": WIDTH, "height": HEIGHT, "shades": SHADES}
     cards = [[group, list(names)] for group, names in CARDS.items()]
-    return {"cards": cards, "sheet": sheet, "pictures": stored_pictures(), "scenes": scenes, "lessons": lessons()}
+    pictures = stored_pictures()
+    return {"cards": cards, "sheet": sheet, "pictures": pictures, "scenes": scenes, "lessons": lessons(language)}
 
 
-def lessons() -> list[list[str]]:
+def lessons(language: str) -> list[list[str]]:
     """Those that come with the program, by titles that give no answer away."""
-    found = [shipped_lesson(name) for name in lesson_names()]
+    found = [shipped_lesson(name, language) for name in lesson_names()]
     following = {lesson.next for lesson in found}
     ordered = sorted(found, key=lambda lesson: lesson.lesson in following)
     return [[lesson.lesson, lesson.title_before or lesson.title] for lesson in ordered]

@@ -20,7 +20,7 @@ from ..messages.encoding import arrays_of, read_header, whole_numbers
 from ..messages.solve import solve_frame
 from ..page.lab import STATIC, spec_of_choices
 from ..page.picker import gallery
-from ..text.catalogues import page
+from ..text.catalogues import direction, page
 from ..wasm.covered import covered_of
 from ..wasm.module import MODULE, named_in, sources
 from .bundle import function
@@ -101,6 +101,7 @@ def _document(language: str) -> str:
         "ABOUT": escape(texts["document.about"]),
         "NO-SCRIPT": escape(texts["document.no-script"]),
         "LANGUAGE": language,
+        "DIRECTION": direction(language),
         "SESSION": escape(session, quote=False),
         "STYLE": (STATIC / "frame/page.css").read_text("utf-8"),
         "STILL": first_still(page(language)),

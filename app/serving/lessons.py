@@ -9,7 +9,7 @@ from solvers.text.catalogue import SOURCE
 
 from ..lessons.record import lesson_record
 from ..lessons.shipped import lesson_files, shipped_lesson
-from ..text.catalogues import language_for
+from .language import language_of
 
 LANGUAGES = {SOURCE} | {path.name.split(".")[1] for path in lesson_files() if path.name.count(".") == 2}
 
@@ -25,10 +25,9 @@ class Lesson(RequestHandler):
     """What a lesson says; a browser keeps it, and asks whether it is still the same."""
 
     def get(self, name: str) -> None:
-        asked = self.get_query_argument("language", "")
-        language = language_for(asked or self.request.headers.get("Accept-Language", ""), LANGUAGES)
+        language = language_of(self.request, LANGUAGES)
         self.set_header("Cache-Control", "no-cache")
-        self.set_header("Vary", "Accept-Language")
+        self.set_header("Vary", "Accept-Language, Cookie")
         self.set_header("Content-Type", "application/json")
         try:
             self.write(lesson_text(name, language))

@@ -21,11 +21,12 @@ from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
 from ..page.lab import STATIC, VERSION
 from ..page.picker import gallery
-from ..text.catalogues import LANGUAGES, language_for, page, script
+from ..text.catalogues import LANGUAGES, direction, page, script
 from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
 from .bundle import bundle
 from .door import FULL
+from .language import ASKED, language_of
 from .limits import MAX_PAGES_OF_ONE
 from .still import bare_frame, first_still
 
@@ -47,7 +48,8 @@ SHEETS = "sheets.css"  # likewise, for the sheets that it names
 IMPORT = re.compile(r"@import '\./([^']+)';\n")
 SPARE = re.compile(r"^\s+|/\*[\s\S]*?\*/\n?|(?<=[;{},])\n", re.MULTILINE)  # of styles: comments, and room between rules
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
-TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
+SCRIPTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
+TEXTS = {language: (text, gzip.compress(text, 6, mtime=0)) for language, text in SCRIPTS.items()}
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 # what is sent packed, by its ending
 PACKED = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".wasm": "application/wasm"}
@@ -90,7 +92,7 @@ def shell(first: bool, language: str) -> str:
     text = (Path(__file__).parent / "page.html").read_text(encoding="utf-8")
     for mark, code in (("TITLE", "document.title"), ("ABOUT", "document.about"), ("NO-SCRIPT", "document.no-script")):
         text = text.replace(mark, escape(page(language).texts[code]))
-    text = text.replace("VERSION", VERSION).replace("LANGUAGE", language)
+    text = text.replace("VERSION", VERSION).replace("LANGUAGE", language).replace("DIRECTION", direction(language))
     text = text.replace("PRELOADS", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
     return text.replace("STYLE", (STATIC / "frame/page.css").read_text("utf-8")).replace(
         "STILL", first_still(page(language)) if first else bare_frame()
@@ -105,7 +107,7 @@ class Page(RequestHandler):
         self._door, self._address = settings["door"], settings["addresses"].of(self.request)
 
     async def get(self) -> None:
-        language = language_for(self.request.headers.get("Accept-Language", ""))
+        language = language_of(self.request)
         self.set_header("Cache-Control", "no-store")  # each page has a session of its own
         turnstile, visitor = of_loop(Turnstile), Stranger(PAGES, self._address)
         busy = turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
@@ -119,7 +121,7 @@ class Page(RequestHandler):
             self.write(f"{head}<p>{page(language).text(FULL)}</p>")
             return
         session = {"token": self._door.issue(self.request.query_arguments), "documentation": documentation()}
-        first = not self.request.query_arguments
+        first = not self.request.query_arguments.keys() - {ASKED}
         self.write(shell(first, language).replace("SESSION", escape(json.dumps(session), quote=False)))
 
     head = get  # of which no body is sent
@@ -148,22 +150,26 @@ def pack() -> None:
         _packed(file)
 
 
-def _send(handler: RequestHandler, file: Path) -> None:
+def _send(handler: RequestHandler, ending: str, whole: bytes, packed: bytes) -> None:
     """A script, a style or kernels, packed for who can read that."""
-    handler.set_header("Content-Type", PACKED[file.suffix])
+    handler.set_header("Content-Type", PACKED[ending])
     handler.set_header("Cache-Control", FOR_EVER)
     handler.set_header("Vary", "Accept-Encoding")
-    packed = "gzip" in handler.request.headers.get("Accept-Encoding", "")
-    if packed:
+    unpacks = "gzip" in handler.request.headers.get("Accept-Encoding", "")
+    if unpacks:
         handler.set_header("Content-Encoding", "gzip")
-    handler.write(_packed(file) if packed else text_of(file))
+    handler.write(packed if unpacks else whole)
+
+
+def _send_file(handler: RequestHandler, file: Path) -> None:
+    _send(handler, file.suffix, text_of(file), _packed(file))
 
 
 class Library(RequestHandler):
     """A script of Bokeh or Panel, which the page names with a version of its own."""
 
     def get(self, name: str) -> None:
-        _send(self, dict(LIBRARIES)[name])
+        _send_file(self, dict(LIBRARIES)[name])
 
     head = get  # of which no body is sent
 
@@ -173,7 +179,7 @@ class Asset(StaticFileHandler):
 
     async def get(self, path: str, include_body: bool = True) -> None:
         if path in FILES and Path(path).suffix in PACKED and include_body:
-            _send(self, STATIC / path)
+            _send_file(self, STATIC / path)
         else:
             await super().get(path, include_body)
 
@@ -193,9 +199,7 @@ class Texts(RequestHandler):
     """The catalogue of a language, which is in no file."""
 
     def get(self, language: str) -> None:
-        self.set_header("Content-Type", "text/javascript; charset=utf-8")
-        self.set_header("Cache-Control", FOR_EVER)
-        self.write(TEXTS[language])
+        _send(self, ".js", *TEXTS[language])
 
     head = get
 
@@ -216,22 +220,25 @@ class Figure(RequestHandler):
 class Gallery(RequestHandler):
     """Pictures of scenes and the list of all; a browser keeps it, and asks whether it is still the same."""
 
-    def get(self) -> None:
+    def get(self, language: str) -> None:
+        if language not in LANGUAGES:
+            raise HTTPError(404)
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Content-Type", "application/json")
         self.set_header("Vary", "Accept-Encoding")
         packed = "gzip" in self.request.headers.get("Accept-Encoding", "")
         if packed:
             self.set_header("Content-Encoding", "gzip")
-        self.write(gallery_packed() if packed else gzip.decompress(gallery_packed()))
+        known = gallery_packed(language)
+        self.write(known if packed else gzip.decompress(known))
 
     head = get
 
 
 @cache
-def gallery_packed() -> bytes:
-    """The gallery as JSON, packed: the same for all."""
-    return gzip.compress(json.dumps(gallery(), ensure_ascii=False, separators=(",", ":")).encode(), 9, mtime=0)
+def gallery_packed(language: str) -> bytes:
+    """The gallery as JSON, packed: the same for all who read the language."""
+    return gzip.compress(json.dumps(gallery(language), ensure_ascii=False, separators=(",", ":")).encode(), 9, mtime=0)
 
 
 @cache

@@ -12,7 +12,7 @@ def routes() -> list[tuple]:
     return [
         (r"/liveness", Alive),
         (r"/record", MeasuredRecord),
-        (r"/gallery", Gallery),
+        (r"/gallery/([a-zA-Z-]+)", Gallery),
         (r"/lessons/([a-z0-9-]{1,60})", Lesson),
         (r"/figures/([a-zA-Z-]+)/([a-z-]+)", Figure),
         (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),

@@ -74,7 +74,7 @@ export class Page {
       taken: () => this.history.later(),
     });
     this.history = new History(this);
-    this.help = new Help();
+    this.help = new Help(this);
     this.compare = new Compare(this, COMPARED);
     this.axial = new AxialView(this);
     this.beam = new BeamView(this);
@@ -123,7 +123,7 @@ export class Page {
     const copy = act('copy-link', () => copyLink(this));
     const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), this.controls.scene.root);
     const { redoing, undoing } = this.history;
-    const parts = [this.opening.button, undoing, redoing, copy, new Take(this).root, this.help.button];
+    const parts = [this.opening.button, undoing, redoing, copy, new Take(this).root, ...this.help.buttons];
     bar.append(make('div', { className: 'keep' }, ...parts));
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);

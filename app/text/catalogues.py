@@ -5,6 +5,8 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
+from babel import Locale
+
 from solvers.text.catalogue import OWN, SOURCE, Catalogue
 
 HERE = Path(__file__).parent
@@ -33,8 +35,14 @@ def lessons(language: str) -> Catalogue:
 @cache
 def script(language: str) -> str:
     """The page's catalogue as a script for the browser, see app/static/text/catalogue.js."""
-    texts = json.dumps({"language": language, "texts": page(language).texts}, ensure_ascii=False)
-    return f"globalThis.strikewaveTexts = {texts};\n"
+    others = {each: page(each).texts["document.language"] for each in LANGUAGES if each != language}
+    texts = {"language": language, "others": others, "texts": page(language).texts}
+    return f"globalThis.strikewaveTexts = {json.dumps(texts, ensure_ascii=False)};\n"
+
+
+def direction(language: str) -> str:
+    """In which it is written, as documents say it: ltr or rtl."""
+    return Locale.parse(language, sep="-").text_direction
 
 
 def language_for(accepted: str, languages: Iterable[str] = ()) -> str:

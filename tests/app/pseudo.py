@@ -1,7 +1,7 @@
-"""A language in which every word stands in brackets, so that whatever no catalogue says is seen: Spanish, as far as
-page and command know.
+"""A language in which every word stands in brackets, so that whatever no catalogue says is seen: Esperanto, as far
+as page and command know.
 
-`python -m tests.app.pseudo ARGUMENTS` is `impact ARGUMENTS` with it beside English.
+`python -m tests.app.pseudo ARGUMENTS` is `impact ARGUMENTS` with it beside the others.
 """
 
 import re
@@ -12,10 +12,10 @@ from typing import Any
 import app.text.catalogues as catalogues
 import solvers
 import solvers.text.catalogue as catalogue
-from solvers.text.catalogue import SOURCE, Catalogue, library
+from solvers.text.catalogue import Catalogue, library
 from solvers.text.messages import Choice, Term, Value, parsed
 
-LANGUAGE = "es"
+LANGUAGE = "eo"
 WORD = re.compile(r"(?<![\w^_.])[^\W\d_]{3,}(?![\w^_(])")  # no symbol, and no part of a key
 BARE = re.compile(r"(?<![⟦\w^_.'-])[^\W\d_]{3,}(?![\w⟧^_(=.'-]|: [a-z])")  # that no catalogue has said
 
@@ -54,15 +54,16 @@ def speak() -> None:
 
     def made(self: Catalogue, language: str, rooms: Any) -> None:
         own(self, language, rooms)
-        if language != SOURCE:
+        if language == LANGUAGE:
             plain = {code: WORD.sub(r"⟦\g<0>⟧", text) for code, text in of_scenes.items()}
             self.texts = {code: bracketed(text) for code, text in self.texts.items()} | plain
             self.terms = self.family("terms")
 
     Catalogue.__init__ = made
     library.cache_clear()
-    catalogue.languages = lambda: frozenset((SOURCE, LANGUAGE))
-    catalogues.LANGUAGES = (SOURCE, LANGUAGE)
+    known = catalogue.languages() | {LANGUAGE}
+    catalogue.languages = lambda: known
+    catalogues.LANGUAGES = (*catalogues.LANGUAGES, LANGUAGE)
 
 
 if __name__ == "__main__":

@@ -132,7 +132,8 @@ TALKING = ("command", "page", "views", "choices", "lessons", "serving", "jobs") 
 TWO_WORDS = re.compile(r"[A-Za-z]{2,}[,.;:]? \(?[A-Za-z]{2,}")
 FOR_MACHINES = re.compile(
     r"^(not allowed|too many messages|not compiled|public, max-age.*|[a-z-]+-src '.*|"
-    r"<.*|.*preserveAspectRatio.*|application/json.*|.*; charset=.*|.* blob:; .*|preload\" as=\"style|modulepreload)$"
+    r"<.*|.*preserveAspectRatio.*|application/json.*|.*; charset=.*|.* blob:; .*|Accept-Language, Cookie|"
+    r"preload\" as=\"style|modulepreload)$"
 )
 
 
@@ -177,12 +178,13 @@ def test_numbers_of_another_language_have_its_decimal_sign(tmp_path):
     )
     (tmp_path / "ask.mjs").write_text(
         f"""import {{ text }} from '{STATIC}/text/catalogue.js';
-        import {{ decade, engineering, figures, percent, pretty, signed }} from '{STATIC}/text/format.js';
+        import {{ decade, engineering, figures, grouped, percent, pretty, signed }} from '{STATIC}/text/format.js';
         console.log(text('contact-times', {{ contacts: 1, apparent: 2.351e-6, case: 'none' }}));
         console.log([signed(-0.5), figures(1.25), pretty(0.5), percent(0.0174), decade(-1), engineering(1.5e-3, 'm')]);
+        console.log([grouped(52000), grouped(7.5)]);
         """
     )
     call = ["node", f"--import={tmp_path / 'texts.mjs'}", str(tmp_path / "ask.mjs")]
     said = subprocess.run(call, capture_output=True, text=True, check=True, timeout=60).stdout
     assert f"2,35{UNBROKEN}µs" in said
-    assert re.findall(r"'(.*?)'", said) == ["−0,500", "1,25", "0,5", "1,74 %", "0,1", "1,5 mm"]
+    assert re.findall(r"'(.*?)'", said) == ["−0,500", "1,25", "0,5", "1,74 %", "0,1", "1,5 mm", "52\u202f000", "7,5"]

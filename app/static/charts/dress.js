@@ -1,5 +1,6 @@
 // Bokeh's plots in the type, the colours and the language of the page around them.
 import { family } from '../text/catalogue.js';
+import { localised } from '../text/format.js';
 
 const TOOLS = family('chart.tool');
 const SIZE = 12 / 14; // of the letters around
@@ -33,6 +34,7 @@ export function dress(plot, place) {
   plot.setv({ background_fill_color: panel, border_fill_color: panel, outline_line_color: line });
   plot.title.setv({ text_font: style.fontFamily, text_font_size: style.fontSize, text_color: ink });
   for (const part of [...plot.below, ...plot.left]) {
+    if (part.formatter) localise(part.formatter);
     if ('axis_label' in part.properties) {
       part.setv({ ...type('axis_label', ink), ...type('major_label', faint), axis_label_standoff: 6 });
       part.setv({ axis_line_color: line, major_tick_line_color: line, minor_tick_line_color: null });
@@ -48,6 +50,22 @@ export function dress(plot, place) {
     }
   }
   for (const part of plot.center) if ('grid_line_color' in part.properties) part.setv({ grid_line_color: line });
+}
+
+/**
+ * Have it write numbers with the decimal sign of the language.
+ * @param {any} formatter
+ */
+function localise(formatter) {
+  const own = formatter.format_graphics.bind(formatter);
+  formatter.format_graphics = (/** @type {any[]} */ ...given) => {
+    const drawn = own(...given);
+    for (const tick of drawn) {
+      const words = tick.base ?? tick; // of a power of ten
+      words.text = localised(words.text);
+    }
+    return drawn;
+  };
 }
 
 const LEGEND = {

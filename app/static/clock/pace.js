@@ -1,6 +1,6 @@
 // How fast the clock runs: as a multiple of the usual pace, or as a share of real time.
 import { text } from '../text/catalogue.js';
-import { grouped } from '../text/format.js';
+import { grouped, localised } from '../text/format.js';
 import { make } from '../browser/dom.js';
 
 const MULTIPLES = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -48,7 +48,7 @@ export class PaceMenu {
     this.#usual = usual;
     MULTIPLES.forEach((times, k) => {
       const share = slowed(1 / (usual * times));
-      this.multiples[k].textContent = `${times}×${share ? ` · ${share}` : ''}`;
+      this.multiples[k].textContent = `${localised(String(times))}×${share ? ` · ${share}` : ''}`;
     });
     if (this.root.value.includes('/')) this.#choose();
   }

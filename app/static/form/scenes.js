@@ -1,5 +1,5 @@
 // The scene in the bar: its title is a button that opens the gallery, which is fetched when it is first wanted.
-import { ofScene, text } from '../text/catalogue.js';
+import { language, ofScene, text } from '../text/catalogue.js';
 import { make } from '../browser/dom.js';
 import { alone, carried, served } from '../browser/home.js';
 import { late, lateSheet } from '../browser/late.js';
@@ -71,7 +71,7 @@ export class Scenes {
     this.fetched ??= (async () => {
       const [module, answer] = await Promise.all([
         late('gallery/gallery.js'),
-        carried?.gallery ?? fetch(served('gallery')).then((found) => found.json()),
+        carried?.gallery ?? fetch(served(`gallery/${language}`)).then((found) => found.json()),
       ]);
       await lateSheet('gallery/gallery.css', page.root);
       /** @type {Gallery} */

@@ -1,12 +1,16 @@
 // The address of the page says what is shown, and what is open and asked; of the choices only what differs from the
 // scene's own values.
 import { entriesOf } from '../wire/body_values.js';
+import { alone, carried } from '../browser/home.js';
+import { language } from '../text/catalogue.js';
 import { keptText } from './kept.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Frame } from '../messages.js' */
 /** @import { Model } from '../wire/model.js' */
 
+/** What an address says of the language, if this one does. */
+const SPOKEN = alone && !carried && new URLSearchParams(location.search).has('language') ? language : '';
 const PLAIN = { '%2C': ',', '%3A': ':', '%3B': ';' }; // what a query need not encode
 
 /**
@@ -71,14 +75,16 @@ function viewOf({ compare, frame, layout, opening, player, scenes, view }, momen
 /**
  * @param {Page} page
  * @param {boolean} [moment]  with the instant of the clock, also while it runs
+ * @param {string} [spoken]  the language that it asks for
  */
-export function queryOf(page, moment = false) {
+export function queryOf(page, moment = false, spoken = SPOKEN) {
   const { frame, model } = page;
   const { lesson } = page.opening.teaching;
-  if (lesson) return lesson.query;
+  const asked = spoken ? [['language', spoken]] : [];
+  if (lesson) return [lesson.query, ...asked.map((each) => each.join('='))].join('&');
   const panels = page.opening.leads && !page.opening.docked ? [] : panelsOf(model); // where they are seen
   const said = [...choicesOf(model, frame), ...page.changes.held.said, ...panels, ...viewOf(page, moment)];
-  const query = new URLSearchParams([...said, ...page.opening.said(said.some(([key]) => key !== 'gallery'))]);
+  const query = new URLSearchParams([...said, ...page.opening.said(said.some(([key]) => key !== 'gallery')), ...asked]);
   return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);
 }
 
@@ -87,6 +93,12 @@ export function queryOf(page, moment = false) {
  * @param {Page} page
  */
 export const choicesText = ({ frame, model }) => new URLSearchParams(choicesOf(model, frame)).toString();
+
+/**
+ * Of a lesson.
+ * @param {string} name
+ */
+export const lessonAt = (name) => addressOf([`lesson=${name}`, ...(SPOKEN ? [`language=${SPOKEN}`] : [])].join('&'));
 
 /** @param {string} query */
 export const addressOf = (query) => (query ? `?${query}` : location.pathname);

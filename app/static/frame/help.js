@@ -1,6 +1,9 @@
 // The help: keys, what is where, and the documentation where its address is set.
 import { family, text } from '../text/catalogue.js';
 import { make } from '../browser/dom.js';
+import { languagesOf } from './language.js';
+
+/** @import { Page } from '../page.js' */
 
 const KEYS = [
   'play',
@@ -42,12 +45,14 @@ const tableOf = (names, heads, meanings, tag) =>
   );
 
 export class Help {
-  constructor() {
+  /** @param {Page} page */
+  constructor(page) {
     const name = text('help.open');
     this.button = make('button', { type: 'button', className: 'open-help', textContent: '?', title: name });
     this.button.ariaLabel = name;
     this.button.setAttribute('aria-haspopup', 'dialog');
     this.button.onclick = () => this.open();
+    this.buttons = [...languagesOf(page), this.button];
     const close = make('button', { type: 'button', className: 'sign', textContent: '✕', onclick: () => this.close() });
     close.title = close.ariaLabel = text('help.close');
     const head = make(

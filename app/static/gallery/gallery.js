@@ -1,5 +1,6 @@
 // All scenes: some as moving pictures with a question each, all by chapter, those of the visitor's own; and a search.
 import { ownQuestion } from '../opening/question.js';
+import { lessonAt } from '../frame/address.js';
 import { make } from '../browser/dom.js';
 import { alone, carried } from '../browser/home.js';
 import { forget, ownScenes } from '../wire/own.js';
@@ -250,7 +251,7 @@ export class Gallery {
  */
 function lessonsOf({ lessons }) {
   const links = (alone ? lessons : []).map(([name, title]) =>
-    make('li', {}, make('a', { href: `?lesson=${name}`, className: 'entry', textContent: title })),
+    make('li', {}, make('a', { href: lessonAt(name), className: 'entry', textContent: title })),
   );
   return make('section', {}, make('h3', { textContent: text('gallery.lessons') }), make('ul', {}, ...links));
 }

@@ -55,7 +55,7 @@ function planOf(search) {
   const query = new URLSearchParams(search);
   const asked = query.get('layout');
   if (carried) return asked === 'docks' ? asked : 'opening';
-  query.delete('gallery'); // which lies over any
+  for (const key of ['gallery', 'language']) query.delete(key); // which go with any
   return PLANS.find((name) => name === asked) ?? (query.size ? 'laboratory' : kept(PLAN, 'opening'));
 }
 

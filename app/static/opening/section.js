@@ -232,7 +232,7 @@ export class Section {
     const long = c.measureText(force).width;
     const from = Math.max(base - long, 2);
     c.fillText(force, from, top - 8 - LABEL.line * zoom);
-    c.fillText(title, drawn.left, top - 8);
+    c.fillText(title, drawn.left, top - 8, width - drawn.left);
     c.fillStyle = COLORS.faint;
     const after = drawn.left + c.measureText(`${title} `).width;
     if (after + c.measureText(about).width < width) c.fillText(about, after + 8, top - 8);

@@ -2,7 +2,7 @@
 import { Figure } from '../charts/figure.js';
 import { make } from '../browser/dom.js';
 import { said, text } from '../text/catalogue.js';
-import { figures } from '../text/format.js';
+import { figures, localised } from '../text/format.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
@@ -68,7 +68,7 @@ class Turning extends Panel {
   #sentence({ own: [speed, end], critical, half, root }) {
     return text('stretch.said', {
       ...{ speed: figures(speed, 4), share: figures((100 * speed) / critical, 3), critical: figures(critical, 4) },
-      ...{ stretch: figures(end, 4), half: half.toFixed(4), root: figures(root, 3) },
+      ...{ stretch: figures(end, 4), half: localised(half.toFixed(4)), root: figures(root, 3) },
     });
   }
   /** @param {'along' | 'speed'} name */

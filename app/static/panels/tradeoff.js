@@ -119,7 +119,7 @@ class TradeOff extends Panel {
     this.said = make('p', { className: 'help', role: 'status' });
     this.bar = make('progress', { max: 1, value: 0, hidden: true, ariaLabel: text('tradeoff.so-far') });
     this.point = make('div', { className: 'point', ariaLive: 'polite' });
-    this.remarks = make('details', { className: 'help' });
+    this.remarks = make('details', { className: 'help', hidden: true });
     this.sides = make('div', { className: 'sides scatter' }, this.point);
     this.sides.append(make('div', {}, this.kinds.root, this.area));
     const form = make('div', { className: 'record-form' }, this.scale, this.start, this.bar);
@@ -213,6 +213,7 @@ class TradeOff extends Panel {
     else this.said.textContent = text('tradeoff.no-table', { running });
     const remarks = (found?.remarks ?? []).map((remark) => make('p', { textContent: said(remark) }));
     const summary = make('summary', { textContent: text('tradeoff.remarks') });
+    this.remarks.hidden = !remarks.length; // or browsers name it themselves
     this.remarks.replaceChildren(...(remarks.length ? [summary, ...remarks] : []));
     this.sides.hidden = !points.length;
     if (points.length) this.plot();

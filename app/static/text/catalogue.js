@@ -9,11 +9,13 @@ import { withSigns } from './typeset.js';
 /** @typedef {string | { term: string } | { name: string, format: string } | Choice} Piece */
 /** @typedef {{ name: string, by: string, options: Record<string, Piece[]> }} Choice */
 
-/** @type {{ language: string, texts: Record<string, string> }} */
+/** @type {{ language: string, others?: Record<string, string>, texts: Record<string, string> }} */
 const CATALOGUE = /** @type {any} */ (globalThis).strikewaveTexts;
 const { texts } = CATALOGUE;
 /** Of all that is said here. */
 export const language = CATALOGUE.language;
+/** Languages that it could be said in instead: their own names. */
+export const others = CATALOGUE.others ?? {};
 const PLURALS = new Intl.PluralRules(language);
 const SLIDER_END = 200; // modes or elements that a slider of the page reaches
 const OPENING = /\{(@?[\w.-]+)(?:\}|:([^{}]+)\}|, (plural|select), )/y;

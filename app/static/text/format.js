@@ -15,7 +15,10 @@ export const localised = (number) => (DECIMAL === '.' ? number : number.replace(
  * Thousands apart.
  * @param {number} value
  */
-export const grouped = (value) => value.toLocaleString(language);
+export function grouped(value) {
+  const written = value.toLocaleString(language);
+  return DECIMAL === '.' ? written : written.replaceAll('.', '\u202f'); // which would be read as a decimal sign
+}
 
 /** @type {Record<number, Intl.NumberFormat>} */
 const FORMATS = {}; // made once for each number of digits: to make one takes longer than to use it

@@ -28,6 +28,28 @@ def test_no_words_are_cut_or_lie_on_others(open_page, size, query):
     assert page.evaluate(WRITTEN) == []
 
 
+SIZES = [(1920, 1080), (1440, 900), (1280, 720), (820, 1180), (390, 844)]
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize(
+    "query",
+    [
+        "",
+        "?layout=laboratory",
+        "?scene=hammer-on-cantilever",
+        "?scene=four-bar-moves",
+        *(f"?scene={name}&layout=opening" for name in ("brick-on-floor", "bouncing-ball", "newtons-cradle")),
+        "?scene=compound-pendulum&layout=opening",
+        "?panel=methods",
+    ],
+)
+def test_what_is_said_in_spanish_has_its_room(open_page, size, query):
+    page = open_page(f"{query}{'&' if query else '?'}language=es", size=size)
+    assert page.evaluate(DRAWN, INSTANTS) == []
+    assert page.evaluate(WRITTEN) == []
+
+
 SAID_ON_STAGE = """(share) => {
   const context = CanvasRenderingContext2D.prototype, { fillText } = context, said = [];
   context.fillText = function (text, ...place) { said.push(text); return fillText.call(this, text, ...place); };

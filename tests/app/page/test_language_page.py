@@ -1,23 +1,27 @@
 """No word of the page stands outside its catalogues: in a language whose words are all in brackets, none is bare."""
 
 import json
+import re
 import subprocess
 import sys
 import time
 import urllib.request
 
 import pytest
+from playwright.sync_api import expect
 
 import solvers
 from app.page import picker
+from app.serving.language import KEPT
 from app.text import catalogues
-from app.text.catalogues import language_for
+from app.text.catalogues import LANGUAGES, language_for
 from solvers.bodies import Mechanism
 from solvers.text.catalogue import SOURCE
 
 from ..conftest import Page
 from ..pseudo import BARE, LANGUAGE
 from ..servers import ROOT, free_port
+from ..test_translations import own
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -44,6 +48,7 @@ WRITTEN = """(attributes) => {
   return [...found];
 }"""
 SAYING = ["title", "aria-label", "aria-valuetext", "aria-description", "placeholder", "alt", "content"]
+SPOKEN = "() => document.documentElement.lang"
 REFUSED = "?mass_ratio=2 kg&speed=99999&t=never&panel=weather&target.length=9e9"
 STATES = {  # a query, and what is done then
     "": ("strikewave.page.help.toggle?.()", "strikewave.page.compare.keep()", "strikewave.page.scenes.open()"),
@@ -86,8 +91,9 @@ def names() -> set[str]:
     mechanisms = (solvers.load(name).target for name in solvers.scene_names())
     links = {link.name for body in mechanisms if isinstance(body, Mechanism) for link in body.links}
     processor = json.dumps(solvers.stored_tradeoff(solvers.load("fixed-rod")).table()["machine"])
-    titles = [title for _, title in picker.lessons()]
-    return NAMED | {word for text in (*links, *titles, processor) for word in BARE.findall(text)}
+    titles = [title for _, title in picker.lessons(SOURCE)]
+    languages = [catalogues.page(each).texts["document.language"] for each in LANGUAGES]
+    return NAMED | {word for text in (*links, *titles, *languages, processor) for word in BARE.findall(text)}
 
 
 def test_no_word_of_the_page_is_outside_its_catalogues(browser, bracketed):
@@ -100,7 +106,7 @@ def test_no_word_of_the_page_is_outside_its_catalogues(browser, bracketed):
         for act in acts:
             page.evaluate(f"() => {{ {act}; }}")
         page.quiet()
-        assert page.evaluate("() => document.documentElement.lang") == LANGUAGE
+        assert page.evaluate(SPOKEN) == LANGUAGE
         for text in page.evaluate(WRITTEN, SAYING):
             bare |= {word: (query, text) for word in BARE.findall(text) if word not in known}
         page.close()
@@ -109,8 +115,116 @@ def test_no_word_of_the_page_is_outside_its_catalogues(browser, bracketed):
 
 def test_who_reads_another_language_gets_that_of_the_source(browser, bracketed):
     page = Page(browser, bracketed, locale="de-AT")
-    assert page.evaluate("() => document.documentElement.lang") == SOURCE
+    assert page.evaluate(SPOKEN) == SOURCE
     page.close()
+
+
+POINT = re.compile(r"[−±+<>~ ]*\d+\.\d")  # at the begin of ticks, cells, fields and options; sentences are filled alike
+
+
+def test_nothing_of_the_page_is_left_in_english_on_the_spanish_one(open_page):
+    """Of what it says itself; and numbers have a comma."""
+    spanish, source = own("page", "es"), own("page", SOURCE)
+    source.pop("document.language")  # which the switch says
+    english = {text for text in source.values() if text not in spanish.values() and "{" not in text}
+    fixed = set(spanish.values())
+    found, points = {}, {}
+    for query, acts in STATES.items():
+        page = open_page(query, own=True, drawn=False, locale="es-CO")
+        page.context.add_init_script(DRAWN)
+        page.tab.reload()
+        page.laid_out()
+        for act in acts:
+            page.evaluate(f"() => {{ {act}; }}")
+        page.quiet()
+        assert page.evaluate("() => [document.documentElement.lang, document.dir]") == ["es", "ltr"]
+        said = {text.replace("\u00a0", " ").strip() for text in page.evaluate(WRITTEN, SAYING)}
+        assert len(said & fixed) > 30
+        found |= {text: query for text in said & english}
+        points |= {text: query for text in said if POINT.match(text)}
+        page.close()
+    assert found == {} and points == {}
+
+
+def test_the_switch_shows_the_same_in_the_other_language_and_is_remembered(open_page):
+    page = open_page("?scene=free-rod&mass_ratio=2.5&method=modal&modes=20", own=True)
+    expect(page.tab.get_by_role("button", name="English")).to_have_count(0)
+    page.tab.get_by_role("button", name="Español").click()
+    page.tab.wait_for_url("**language=es**")
+    page.laid_out()
+    assert page.evaluate(SPOKEN) == "es"
+    assert [page.header("chosen")[name] for name in ("scene", "mass_ratio", "modes")] == ["free-rod", 2.5, 20]
+    expect(page.tab.get_by_label("Razón de masas, valor exacto")).to_have_value("2,5")
+    page.show_scene("fixed-rod")
+    page.wait("() => !location.search.includes('scene') && location.search.includes('language=es')")
+    page.tab.goto(f"http://{page.address}/")  # at the next visit
+    page.laid_out()
+    assert page.evaluate(SPOKEN) == "es"
+    assert page.evaluate("() => strikewave.page.opening.plan") == "opening"
+    page.wait("() => !strikewave.page.history.resting")
+    assert page.evaluate("() => location.search") == ""
+    page.tab.get_by_role("button", name="English").click()
+    page.tab.wait_for_url("**language=en**")
+    page.laid_out()
+    assert page.evaluate(SPOKEN) == SOURCE
+    assert page.evaluate("() => strikewave.page.opening.plan") == "opening"
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (390, 844)], ids=str)
+def test_the_switch_is_seen_at_the_top(open_page, size):
+    page = open_page("", size=size)
+    box = page.tab.get_by_role("button", name="Español").bounding_box()
+    assert box["y"] < 60 and box["x"] + box["width"] <= size[0] and box["height"] >= 28
+
+
+def test_a_link_that_names_no_known_language_is_shown_in_english(open_page):
+    page = open_page("?language=tlh&scene=free-rod", locale="es")
+    assert page.evaluate(SPOKEN) == SOURCE
+    assert page.header("chosen")["scene"] == "free-rod"
+
+
+def test_a_language_alone_leaves_the_first_visit_as_it_is(open_page):
+    page = open_page("?language=es")
+    assert page.evaluate(SPOKEN) == "es"
+    assert page.evaluate("() => strikewave.page.opening.plan") == "opening"
+
+
+def test_a_lesson_is_in_the_language_of_the_page_and_links_to_the_next_keep_it(open_page):
+    page = open_page("?lesson=bounce-twice&language=es")
+    page.wait("() => strikewave.page.opening.teaching.lesson")
+    assert page.evaluate("() => strikewave.page.opening.teaching.lesson.record.language") == "es"
+    page.evaluate("() => strikewave.page.history.write()")
+    assert page.evaluate("() => location.search") == "?lesson=bounce-twice&step=1&language=es"
+
+
+def test_numbers_are_typed_with_a_comma_or_a_point(open_page):
+    page = open_page("?language=es&layout=laboratory")
+    field = page.tab.get_by_label("Razón de masas, valor exacto")
+    for given, value in (("0,5", 0.5), ("0.25", 0.25)):
+        page.answered(lambda given=given: (field.fill(given), field.press("Enter")))
+        assert page.header("chosen")["mass_ratio"] == value
+        expect(field).to_have_value(str(value).replace(".", ","))
+
+
+@pytest.mark.parametrize(
+    "query, accepted, kept, language",
+    [
+        ("", "es-MX,en;q=0.5", "", "es"),
+        ("", "en", "es", "es"),
+        ("?language=en", "es", "es", "en"),
+        ("?language=ES", "en", "en", "es"),
+        ("?language=tlh", "es", "es", "en"),
+        ("?language=", "es", "", "es"),
+        ("?language=%FF%00&language=es", "en", "", "es"),
+        ("", "es", "../../etc", "en"),
+        ("?language=" + "es," * 3_000, "de", "", "es"),
+    ],
+)
+def test_the_address_goes_before_the_switch_and_that_before_the_browser(server, query, accepted, kept, language):
+    headers = {"Accept-Language": accepted} | ({"Cookie": f"{KEPT}={kept}"} if kept else {})
+    asked = urllib.request.Request(f"http://{server}/{query}", headers=headers)
+    text = urllib.request.urlopen(asked, timeout=60).read().decode()
+    assert f'<html lang="{language}" dir="ltr">' in text and f"/text/{language}.js" in text
 
 
 @pytest.mark.parametrize("accepted", ["", "de, fr;q=0.5", "*", "x" * 5_000, ",".join(["a-b"] * 900), "en;q", "\x00"])

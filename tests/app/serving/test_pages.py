@@ -11,10 +11,12 @@ import pytest
 
 from app.choices.choices import SCENES
 from app.serving.bundle import bundle, function
-from app.serving.pages import APART, FIGURES, LIBRARIES, STATIC, VERSION, shell, text_of
+from app.serving.pages import APART, FIGURES, LIBRARIES, SCRIPTS, STATIC, VERSION, shell, text_of
 from solvers.text.catalogue import SOURCE
 
-ADDRESSES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "sheets.css")} | dict(LIBRARIES)
+FILES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "sheets.css")} | dict(LIBRARIES)
+ADDRESSES = {address: text_of(file) for address, file in FILES.items()}
+ADDRESSES |= {f"assets/{VERSION}/text/{language}.js": text for language, text in SCRIPTS.items()}
 
 
 def fetched(server: str, address: str, *coding: str):
@@ -26,7 +28,7 @@ def fetched(server: str, address: str, *coding: str):
 def test_a_file_is_the_same_packed_or_not(server, address):
     plain, packed = fetched(server, address), fetched(server, address, "br, gzip;q=0.8")
     assert plain.headers["Content-Encoding"] is None and packed.headers["Content-Encoding"] == "gzip"
-    small, whole = packed.read(), text_of(ADDRESSES[address])
+    small, whole = packed.read(), ADDRESSES[address]
     assert plain.read() == gzip.decompress(small) == whole and len(small) < 0.5 * len(whole)
     for answer in (plain, packed):
         assert answer.headers["Vary"] == "Accept-Encoding" and "immutable" in answer.headers["Cache-Control"]
@@ -92,7 +94,7 @@ def test_what_cannot_be_bundled_is_refused(tmp_path, text, reason):
 
 
 @pytest.mark.parametrize(
-    "path", ["", "liveness", "gallery", "?mass_ratio=3", LIBRARIES[0][0], f"figures/en/{next(iter(FIGURES))}"]
+    "path", ["", "liveness", "gallery/en", "?mass_ratio=3", LIBRARIES[0][0], f"figures/en/{next(iter(FIGURES))}"]
 )
 def test_a_head_is_answered_as_the_whole_is_without_its_body(server, path):
     whole = urllib.request.urlopen(f"http://{server}/{path}", timeout=60)
@@ -102,15 +104,22 @@ def test_a_head_is_answered_as_the_whole_is_without_its_body(server, path):
 
 
 def test_the_gallery_is_the_same_packed_or_not_and_asked_for_again_if_it_has_changed(server):
-    plain, packed = fetched(server, "gallery"), fetched(server, "gallery", "gzip")
+    plain, packed = fetched(server, "gallery/en"), fetched(server, "gallery/en", "gzip")
     whole = plain.read()
     assert gzip.decompress(packed.read()) == whole and packed.headers["Content-Encoding"] == "gzip"
     found = json.loads(whole)
     assert sum(len(scenes) for _, scenes in found["scenes"]) == len(SCENES)
     assert {name for _, names in found["cards"] for name in names} == found["pictures"].keys()
-    again = urllib.request.Request(f"http://{server}/gallery", headers={"If-None-Match": plain.headers["Etag"]})
+    again = urllib.request.Request(f"http://{server}/gallery/en", headers={"If-None-Match": plain.headers["Etag"]})
     with pytest.raises(urllib.error.HTTPError, match="304"):
         urllib.request.urlopen(again, timeout=30)
+
+
+def test_the_gallery_names_lessons_in_the_language_that_is_asked_for(server):
+    titles = {language: dict(json.load(fetched(server, f"gallery/{language}"))["lessons"]) for language in ("en", "es")}
+    assert titles["es"]["bounce-twice"] != titles["en"]["bounce-twice"]
+    with pytest.raises(urllib.error.HTTPError, match="404"):
+        fetched(server, "gallery/tlh")
 
 
 def test_the_page_names_nothing_of_the_gallery():
