@@ -95,7 +95,7 @@ export class Opening {
   }
   get #changes() {
     const { changes, frame } = this.page;
-    return changesOf(frame, this.#leading).filter(([, name]) => !changes.held.stays(name));
+    return changesOf(frame, this.#leading).filter(([, name, value]) => changes.allowed(name, value) === value);
   }
   /** Whether its picture is what is seen. */
   get leads() {

@@ -54,6 +54,18 @@ def test_a_value_beyond_its_bounds_is_brought_within(open_page):
     assert 0.5 <= chosen(page, "mass_ratio") <= 2
 
 
+def test_no_change_is_offered_that_a_link_does_not_allow(open_page):
+    page = open_page("?layout=opening&scene=fixed-rod")
+    settled(page)
+    expect(page.tab.locator(".what-if")).to_have_text("What if it were four times as heavy? →")
+    page = open_page("?layout=opening&scene=fixed-rod&bound=mass_ratio:0.9:1.1")
+    settled(page)
+    expect(page.tab.locator(".what-if")).not_to_have_text("What if it were four times as heavy? →")
+    page = open_page("?layout=opening&scene=fixed-rod&fix=scene,mass_ratio,speed,law,method,modes,restitution")
+    settled(page)
+    expect(page.tab.locator(".what-if")).to_be_hidden()
+
+
 @pytest.mark.parametrize(
     "query, sentence",
     [
