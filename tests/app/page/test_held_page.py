@@ -61,7 +61,7 @@ def test_no_change_is_offered_that_a_link_does_not_allow(open_page):
     page = open_page("?layout=opening&scene=fixed-rod&bound=mass_ratio:0.9:1.1")
     settled(page)
     expect(page.tab.locator(".what-if")).not_to_have_text("What if it were four times as heavy? →")
-    page = open_page("?layout=opening&scene=fixed-rod&fix=mass_ratio,speed,law,method,modes,restitution")
+    page = open_page("?layout=opening&scene=fixed-rod&fix=scene,mass_ratio,speed,law,method,modes,restitution")
     settled(page)
     expect(page.tab.locator(".what-if")).to_be_hidden()
 
