@@ -94,7 +94,7 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
         "refusals": refusals(scene),
         "refused": answer.reason and answer.reason.table(),
         "trip": 1.0,
-        "period": scene.time_unit,
+        "period": float(f"{scene.time_unit:.7g}"),  # all digits would take messages beyond their limit
         "duration": main.duration,
         "speed": scene.speed,
         "impactor": {"kind": scene.impactor.kind, "mass": min(scene.impactor.mass, LARGEST_MASS)},

@@ -8,6 +8,7 @@ import { palette, shade } from '../../app/static/charts/styles.js';
 import { impactsOf, nearest } from '../../app/static/fall/lens.js';
 import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
 import { spread, windowOf } from '../../app/static/opening/happens.js';
+import { withBesides } from '../../app/static/opening/besides.js';
 import { weave } from '../../app/static/opening/rows.js';
 import { placed } from '../../app/static/opening/tracks.js';
 import { courseOf, meets, movedAt, tracksOf as slideTracks } from '../../app/static/space/tracks.js';
@@ -289,4 +290,20 @@ test('rows of what is not drawn evenly lie where it is', () => {
   assert.deepEqual(color(28, 8), solid(1)); // at 0.425 of 2 the front has gone 0.85 of the length, to 84
   assert.deepEqual(color(80, 8), solid(1));
   assert.deepEqual(color(88, 8), solid(0));
+});
+
+test('a lesson has the first force alone, and what it wants beside it on one scale', () => {
+  const curve = (peak, cursor) => ({ x: [0, 1], y: [0, peak], factor: 2, style: 'exact', cursor });
+  const [own, other, third] = [curve(1, 'own'), curve(5, 'other'), { ...curve(3, 'third'), factor: 1 }];
+  const rows = withBesides({ drawn: {}, forces: [own, other] }, [third], 'mine');
+  assert.deepEqual(
+    rows.forces.map(({ cursor }) => cursor),
+    ['mine', 'third'],
+  );
+  const push = { title: 'force', force: true, range: [2.2, 0], series: [own, other] };
+  const gap = { title: 'gap', range: [0, 1], series: [own] };
+  const { tracks } = withBesides({ drawn: null, tracks: [push, gap] }, [third], '');
+  assert.deepEqual([tracks[0].series, tracks[1]], [[own, third], gap]);
+  assert.ok(Math.abs(tracks[0].range[0] - 3.3) < 1e-9);
+  assert.deepEqual(withBesides({ drawn: null, tracks: [push] }, [], '').tracks[0].range, [2.2, 0]);
 });

@@ -270,9 +270,9 @@ export function push(c, at, middle, thick) {
  * @param {[number, number]} place
  * @param {1 | -1} way
  * @param {string} name
- * @param {number} width  of the picture
+ * @param {[least: number, most: number]} between  what its name has to lie
  */
-export function runs(c, [x, y], way, name, width) {
+export function runs(c, [x, y], way, name, [least, most]) {
   c.fillStyle = COLORS.cursor;
   c.beginPath();
   c.moveTo(x, y + 6);
@@ -289,9 +289,10 @@ export function runs(c, [x, y], way, name, width) {
   c.lineTo(x + 16 * way, y - 3);
   c.stroke();
   c.font = letters(13);
-  const room = way > 0 || x + 8 + c.measureText(name).width < width;
-  c.textAlign = way > 0 || !room ? 'right' : 'left';
-  c.fillText(name, room ? x - 8 * way : x - 26, y - 4); // beyond the arrow, where the picture ends behind it
+  const end = x - way * (8 + c.measureText(name).width);
+  const room = end > least && end < most;
+  c.textAlign = way > 0 === room ? 'right' : 'left';
+  c.fillText(name, room ? x - 8 * way : x + 28 * way, y - 4); // beyond the arrow, where there is none behind it
 }
 
 /**

@@ -204,7 +204,7 @@ export class Stage {
       if (this.leads && rods.length === 1 && size > SIGNED) masses(c, [drawn.x, middle], [right, middle + thick / 2]);
     }
     if (rods.length === 1 && rods[0].mirror && !(field instanceof RigidField))
-      this.front(c, t, left, right - left, middle - thick / 2);
+      this.front(c, t, left, right - left, middle - thick / 2, size > thick ? own : -Infinity);
     this.#measure(c, width, height);
   }
   /**
@@ -374,14 +374,15 @@ export class Stage {
    * @param {number} left
    * @param {number} length
    * @param {number} top
+   * @param {number} least  where its name may begin: beside a striker that is higher
    */
-  front(c, t, left, length, top) {
+  front(c, t, left, length, top, least) {
     const trip = t - Math.floor(t);
     const outward = trip < 0.5;
     const place = outward ? 2 * trip : 2 - 2 * trip;
     const i = Math.round(place * (SLICES - 1));
     const x = left + place * length + this.moved[i] * this.scale;
     const name = text('axial.stage.wave', { rigid: this.frame.rigid });
-    runs(c, [x, top - 9], outward ? 1 : -1, name, left + length);
+    runs(c, [x, top - 9], outward ? 1 : -1, name, [least, left + length]);
   }
 }

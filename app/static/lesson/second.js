@@ -84,8 +84,13 @@ export class Second {
    * @param {Frame} [other]
    */
   #called(frame, other = this.page.frame) {
-    const main = ('other' in frame && frame.other) || ('main' in frame && frame.main);
-    return kindsOf(frame, other).impact || !main ? lineOf(differing([frame, other]), frame) : called(main);
+    if (kindsOf(frame, other).impact) return lineOf(differing([frame, other]), frame);
+    if ('main' in frame) return called(frame.main);
+    const { acting, chosen } = frame;
+    const [modes, elements] = ['modes', 'elements'].map((name) =>
+      acting.includes(name) ? Number(chosen[name]) : null,
+    );
+    return 'other' in frame && frame.other ? called({ ...frame.other, modes, elements }) : '';
   }
   /**
    * Its force on the clock of what is shown: of another method, where it is the same impact.
