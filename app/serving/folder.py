@@ -50,6 +50,7 @@ REMADE_COMPACT = ("otherMass", "otherEnd", "otherTime", "otherForce")  # of two 
 REMADE_CHAIN = tuple(  # of rods one behind the other: what both ends of each send
     f"{way}{number}{of}" for number in range(MOST_RODS) for way in "fg" for of in ("Time", "")
 )
+REMADE_BALANCE = (*REMADE_SPRING, "balanceTime", "balanceForce")  # of one that is balanced, or a mass on a spring
 FIRST_LETTER, LETTER = 0x4000, 15  # of a script, as start.js reads it: none stands for more than itself; bits
 BRIEF = ("otherMass", "otherEnd", "otherTime", "otherForce")  # beside these
 POLICY = (
@@ -177,6 +178,8 @@ def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
     remade = REMADE[header["kind"]] + (REMADE_BESIDE if header.get("usualSteps") else ())
     if header.get("springCarries") is not None:
         remade += REMADE_SPRING
+    if header.get("balance"):
+        remade += REMADE_BALANCE
     if header.get("compact"):
         remade += REMADE_COMPACT
     if header.get("chain"):

@@ -15,6 +15,7 @@ from app.command.main import main
 from app.serving.folder import script
 from app.wasm.covered import covered_of
 from app.wasm.module import signed
+from solvers.bodies import SpringMass
 from solvers.scenes.library import scene_of
 
 MOST = 1_000_000  # bytes of all files
@@ -132,6 +133,10 @@ def test_every_scene_that_is_covered_is_answered_here(opened):
         choose(tab, "scene", name)
         assert tab.evaluate("() => strikewave.page.frame.chosen.scene") == name
         scene = SCENES[name]
+        if isinstance(scene.target, SpringMass):  # balances, of which none lasts
+            final = tab.evaluate("() => strikewave.page.frame.exact.final")
+            assert peak(tab) is None and final == pytest.approx(solvers.solve(scene).impactor_velocity / scene.speed)
+            continue
         method = None if scene.bends else "waves" if scene.target.rods else "modal"  # beside which others stand
         assert peak(tab) == pytest.approx(solvers.solve(scene, method=method).peak_force, rel=1e-8), name
     assert tab.errors == []
