@@ -29,7 +29,9 @@ def balanced(
 
 
 def _record(scene: Scene, found: Solution, places: int) -> tuple[dict[str, Any] | None, dict[str, Any]]:
-    run, method = found.known_motion.run, found.method
+    motion, method = found.motion, found.method
+    assert isinstance(motion, BalanceMotion)
+    run = motion.run
     own, step = run.pair.modes[1], method["step"]
     located = method["variant"] == "event-located"
     most = MOST_LOCATED if located else MOST_MODES
