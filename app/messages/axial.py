@@ -27,6 +27,7 @@ from solvers.text.notes import Note
 from ..choices.cushions import cushions
 from ..choices.kinds import own_options
 from ..choices.request import Request
+from .balances import balanced
 from .encoding import (
     FORCE_POINTS,
     LARGEST_MASS,
@@ -63,6 +64,8 @@ def axial_frame(request: Request) -> bytes:
         rods, arrays = turning_rod(scene.target), arrays | turning_fields(exact, stress_unit, scene.speed * trip)
     fall, falls = fall_fields(request, exact)
     arrays |= cycle(exact) | _balances(other, trip, force_unit) | falls
+    balance, shapes = balanced(request, exact, other, PLACES)
+    arrays |= shapes
     marched = carried or (None if other is None else _of_frame(other))
     if carried is not None:
         arrays["modalForce"] = carried.record.contact_force / force_unit
@@ -99,6 +102,7 @@ def axial_frame(request: Request) -> bytes:
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
         "rigid": scene.rigid_contact,
+        "balance": balance,
         **followed(scene, request.chosen, exact, other),
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),

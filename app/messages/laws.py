@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from solvers import LAWS, Modal, QuasiStatic, Rod, Scene, SceneError, Solution, Waves
-from solvers.bodies import RigidMass, Wall
+from solvers import LAWS, Balance, Modal, QuasiStatic, Rod, Scene, SceneError, Solution, Waves
+from solvers.bodies import RigidMass, SpringMass, Wall
 from solvers.contact import Hertz, Power, Rigid
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.damping import OF_KERNELS
@@ -29,7 +29,8 @@ def followed(scene: Scene, chosen: Mapping[str, Any], exact: Solution, other: So
     """What a browser needs of an impact along an axis, and of the method beside it, to follow other choices."""
     compact = laws_of_compact_bodies(scene, chosen, other)
     chain = chain_fields(scene, exact, other)
-    laws = [_record(scene, scene.contact, {}, {}, Units(1.0, 1.0))] if chain else laws_of_a_rod(scene, chosen)
+    alone = chain or (isinstance(scene.target, SpringMass) and scene.rigid_contact)  # no other law is followed
+    laws = [_record(scene, scene.contact, {}, {}, Units(1.0, 1.0))] if alone else laws_of_a_rod(scene, chosen)
     return {
         "laws": compact or laws,
         "chain": chain,
@@ -45,7 +46,7 @@ def laws_of_a_rod(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any
         return []
     if target.support == "anechoic" or target.end_mass or target.velocity:
         return []
-    if chosen["method"] not in (Waves.NAME, Modal.NAME, QuasiStatic.NAME):
+    if chosen["method"] not in (Waves.NAME, Modal.NAME, QuasiStatic.NAME, Balance.NAME):
         return []
     found = law_fields(scene, chosen, Units(scene.time_unit, target.impedance))
     if chosen["method"] == QuasiStatic.NAME and "model" not in own_options(scene, QuasiStatic.NAME):

@@ -207,6 +207,15 @@ RECORDS: dict[str, Fields] = {
         "gaps": Field("number[]", "before it [v T]"),
         "asked": Field("number", "for how long it is solved [T]; 0: until the bodies have parted for good"),
     },
+    "BalanceRecord": {
+        "located": Field("boolean", "whether balances are, or stand at ends of steps"),
+        "step": Field("number", "[s]"),
+        "shown": Field("boolean", "whether the balances themselves are"),
+        "resolved": Field("number", "shorter flights are still contact [s]"),
+        "frequencies": Field("number[]", "of what is struck [rad/s]"),
+        "atContact": Field("number[]", "shapes of its modes where it is struck [kg^-1/2]"),
+        "means": Field("number[]", "and over its mass [kg^-1/2]"),
+    },
     "TargetRecord": {
         "kind": Field("string"),
         "shape": Field("'ball' | 'block'", "of a compact body"),

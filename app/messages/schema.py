@@ -73,6 +73,7 @@ AXIAL: Fields = {
     "chain": Field(
         "ChainRecord | null", "of rods one behind the other, with rigid faces: for the kernel that follows their waves"
     ),
+    "balance": Field("BalanceRecord | null", "of a mass that is balanced against a rod, or against a mass on a spring"),
     "compact": Field(
         "{ sine: boolean } | null",
         "of two bodies that move as wholes, by a law and its closed form, or a half sine for it",
@@ -126,6 +127,8 @@ AXIAL: Fields = {
             "otherMoments": Field("(moments, 3)", "[N m]"),
             "balanceTime": Field("(balances)", "[T]"),
             "balanceForce": Field("(balances)", "impulse over the step [Z v]"),
+            "balanceShapes": Field("(balanced modes, places)", "and motion as a whole, of what is struck [kg^-1/2]"),
+            "balanceStresses": Field("(balanced modes, places)", "tension per 1 of each coordinate [Pa / (m kg^1/2)]"),
             "turningBar": Field(
                 "(motion, bar places)", "of a rod that turns and is struck across, from its axis on [v T]"
             ),

@@ -5,7 +5,6 @@ kernels that do so. Pages from the disk may load neither modules nor data: all o
 import gzip
 import json
 import math
-from base64 import b64encode
 from html import escape
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -51,6 +50,8 @@ REMADE_COMPACT = ("otherMass", "otherEnd", "otherTime", "otherForce")  # of two 
 REMADE_CHAIN = tuple(  # of rods one behind the other: what both ends of each send
     f"{way}{number}{of}" for number in range(MOST_RODS) for way in "fg" for of in ("Time", "")
 )
+REMADE_BALANCE = (*REMADE_SPRING, "balanceTime", "balanceForce")  # of one that is balanced, or a mass on a spring
+FIRST_LETTER, LETTER = 0x4000, 15  # of a script, as start.js reads it: none stands for more than itself; bits
 BRIEF = ("otherMass", "otherEnd", "otherTime", "otherForce")  # beside these
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
@@ -79,8 +80,8 @@ def export(folder: Path, laboratory: str, language: str) -> Exported:
     names = covered_of(SCENES)
     files = {
         "index.html": _document(language).encode(),
-        "kernels.js": script("strikewaveKernels", kernels).encode(),
-        "scenes.js": _scenes(names, laboratory, language).encode(),
+        "kernels.js": script("strikewaveKernels", kernels),
+        "scenes.js": _scenes(names, laboratory, language),
         "page.js": function(STATIC, ENTRIES, "strikewavePage", WITHOUT).encode(),
         "start.js": text_of(STATIC / "offline/start.js"),
         SHEETS: text_of(STATIC / SHEETS),
@@ -112,7 +113,7 @@ def _document(language: str) -> str:
     return text
 
 
-def _scenes(names: list[str], laboratory: str, language: str) -> str:
+def _scenes(names: list[str], laboratory: str, language: str) -> bytes:
     """A script with texts, choices and a message of each scene, packed: a head in JSON, then the headers of all
     messages, which are much alike, then their arrays, of which many have the same.
     """
@@ -141,9 +142,16 @@ def _texts(language: str) -> dict[str, str]:
     return {code: text for code, text in page(language).texts.items() if not code.startswith(("lesson.", "class."))}
 
 
-def script(name: str, content: bytes) -> str:
-    """One that carries these bytes, packed."""
-    return f'globalThis.{name} = "{b64encode(gzip.compress(content, 9, mtime=0)).decode()}";\n'
+def script(name: str, content: bytes) -> bytes:
+    """One that carries these bytes, packed: how many, and fifteen bits of them a letter from FIRST_LETTER on.
+
+    Its mark of UTF-16 holds whatever a server says of the encoding. Base 64 would take a quarter more of the disk.
+    """
+    whole = gzip.compress(content, 9, mtime=0)
+    bits = np.unpackbits(np.frombuffer(whole, np.uint8))
+    each = np.pad(bits, (0, -bits.size % LETTER)).reshape(-1, LETTER) @ (1 << np.arange(LETTER)[::-1])
+    letters = (FIRST_LETTER + each).astype("<u2").tobytes().decode("utf-16-le")
+    return f'\ufeffglobalThis.{name} = [{len(whole)}, "{letters}"];\n'.encode("utf-16-le")
 
 
 def _gallery(names: set[str]) -> dict[str, Any]:
@@ -171,6 +179,8 @@ def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
     remade = REMADE[header["kind"]] + (REMADE_BESIDE if header.get("usualSteps") else ())
     if header.get("springCarries") is not None:
         remade += REMADE_SPRING
+    if header.get("balance"):
+        remade += REMADE_BALANCE
     if header.get("compact"):
         remade += REMADE_COMPACT
     if header.get("chain"):

@@ -217,6 +217,16 @@ export interface ChainRecord {
   /** for how long it is solved [T]; 0: until the bodies have parted for good */ asked: number;
 }
 
+export interface BalanceRecord {
+  /** whether balances are, or stand at ends of steps */ located: boolean;
+  /** [s] */ step: number;
+  /** whether the balances themselves are */ shown: boolean;
+  /** shorter flights are still contact [s] */ resolved: number;
+  /** of what is struck [rad/s] */ frequencies: number[];
+  /** shapes of its modes where it is struck [kg^-1/2] */ atContact: number[];
+  /** and over its mass [kg^-1/2] */ means: number[];
+}
+
 export interface TargetRecord {
   kind: string;
   /** of a compact body */ shape: 'ball' | 'block';
@@ -405,6 +415,7 @@ export interface AxialFrame extends Common {
   /** whether nothing gives way at the contact itself */ rigid: boolean;
   /** of a mass on a rod, that can be chosen: for kernels of the browser */ laws: LawRecord[];
   /** of rods one behind the other, with rigid faces: for the kernel that follows their waves */ chain: ChainRecord | null;
+  /** of a mass that is balanced against a rod, or against a mass on a spring */ balance: BalanceRecord | null;
   /** of two bodies that move as wholes, by a law and its closed form, or a half sine for it */ compact: { sine: boolean } | null;
   /** share of its mass with the end of a rod that bends as a spring by the other method; else null */ springCarries: number | null;
   /** whether the contact law does */ damps: boolean;
@@ -443,6 +454,8 @@ export interface AxialFrame extends Common {
   /** (moments, 3) [N m] */ otherMoments?: Numbers;
   /** (balances) [T] */ balanceTime?: Numbers;
   /** (balances) impulse over the step [Z v] */ balanceForce?: Numbers;
+  /** (balanced modes, places) and motion as a whole, of what is struck [kg^-1/2] */ balanceShapes?: Numbers;
+  /** (balanced modes, places) tension per 1 of each coordinate [Pa / (m kg^1/2)] */ balanceStresses?: Numbers;
   /** (motion, bar places) of a rod that turns and is struck across, from its axis on [v T] */ turningBar?: Numbers;
   /** (exact instants, exact places) of a rod that turns [v sqrt(E rho)] */ exactStress?: Numbers;
   /** (exact instants, exact places) [v] */ exactVelocity?: Numbers;

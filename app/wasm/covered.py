@@ -3,12 +3,14 @@
 The browser's own word on each answer is `covers` in `app/static/wasm/answers.js`, which also knows of which choices.
 """
 
+import math
 from collections.abc import Callable, Mapping
 
-from solvers import Beam, Modal, QuasiStatic, RigidMass, Rod, Scene, Waves, usual_method
-from solvers.bodies import Wall, Waveguide
+from solvers import Balance, Beam, Modal, QuasiStatic, RigidMass, Rod, Scene, Waves, usual_method
+from solvers.bodies import SpringMass, Wall, Waveguide
 from solvers.contact import Hertz, Power, Rigid
 from solvers.contact.duration import exponent_of
+from solvers.numerics.balance_drawn import MOST_LOCATED, MOST_MODES
 from solvers.numerics.waves.chain_drawn import MOST_RODS
 
 
@@ -65,6 +67,17 @@ def _on_spring(scene: Scene) -> bool:
     return shown.startswith("structural") and known and method.keys() <= {"name", "model"}
 
 
+def _balanced(scene: Scene) -> bool:
+    """A mass balanced against a rod that is divided into a few, or against a mass on a spring with rigid faces."""
+    method = scene.method
+    if not (_on_plain_rod(scene) or (_mass_strikes(scene) and isinstance(scene.target, SpringMass))):
+        return False
+    known = method.keys() <= {"name", "variant", "elements", "modes", "restitution", "step"}
+    most = {"event-located": MOST_LOCATED, "step-end": MOST_MODES}.get(method.get("variant", "event-located"), 0)
+    few = method.get("modes", method.get("elements", math.inf)) <= most or not scene.target.rods
+    return method.get("name", usual_method(scene)) == Balance.NAME and scene.rigid_contact and known and few
+
+
 def _on_beam(scene: Scene) -> bool:
     """A mass across a beam at rest, by modes."""
     target, method = scene.target, scene.method
@@ -91,4 +104,5 @@ ANSWERED_BY: dict[str, Callable[[Scene], bool]] = {  # by entry, as in `entries.
     "spring": _on_spring,
     "chain": _on_chain,
     "compact": _compact,
+    "balance": _balanced,
 }

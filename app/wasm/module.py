@@ -16,6 +16,7 @@ SOURCES = (
     "numerics/modal_drawn.py",
     "numerics/spring_drawn.py",
     "numerics/compact_drawn.py",
+    "numerics/balance_drawn.py",
     "numerics/rods.py",
     "contact/__init__.py",
 )  # of the library: with all that they import
@@ -26,6 +27,7 @@ ENTRIES = (
     "spring_entries.py",
     "compact_entries.py",
     "chain_entries.py",
+    "balance_entries.py",
     "entries.py",
 )  # beside this
 SECTION = b"\x0bfingerprint"  # in which the module names the sources that it was made of

@@ -11,16 +11,16 @@ from .entry import INSTANTS, Entry
 ROOM = int((1.0 + LONGEST_FLIGHT) * SAMPLES) + 3  # of instants
 FEW, PLACES = 110, 31  # of the fields, as `app.messages.axial` has them
 FORCES = SAMPLES + 3
-STIFFNESS, MASS = 2.0, 0.5  # of any uniform rod [Z / T, Z T]
 
 
-def spring(beta, carried, duration, response, mass, end, force_time, force, stress, velocity, displacement, out):
+def spring(
+    striker, carried, stiffness, duration, response, mass, end, force_time, force, stress, velocity, displacement, out
+):  # fmt: skip
     """`solvers.numerics.spring_drawn.answer`, in units T, v and Z v.
 
-    carried: the share of the mass of the rod that goes with its end; duration [T], in which the bodies part.
+    carried: what goes with the end of the spring; duration [T], in which the bodies part.
     """
-    striker, moving = MASS / beta, MASS * carried
-    parting = half_swing(striker, moving, STIFFNESS)
+    parting = half_swing(striker, carried, stiffness)
     n = instants_of(parting, duration, 1.0)
     if n > ROOM or parting >= duration:
         return NO_ROOM
@@ -31,13 +31,13 @@ def spring(beta, carried, duration, response, mass, end, force_time, force, stre
     )  # fmt: skip
     solved = Response(r[0], r[1], r[2], r[3], r[4], r[5], r[6])
     columns = carray(out, (spring_drawn.COLUMNS,))
-    return spring_drawn.answer(striker, moving, STIFFNESS, parting, duration, solved, drawn, columns)
+    return spring_drawn.answer(striker, carried, stiffness, parting, duration, solved, drawn, columns)
 
 
 SPRING_ENTRIES = {
     "spring": Entry(
         spring,
-        3,
+        4,
         {
             "response": 7 * ROOM,
             "mass": INSTANTS,

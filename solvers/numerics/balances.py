@@ -8,14 +8,19 @@ w.q + fall t^2 / 2 + surge t^3 / 6.
 Source: thesis 6.3 and 6.4.1.
 """
 
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 
 from ..jit.kernels import allocating_kernel, inner_kernel, kernel
+from . import secular
 from .arrays import add_to, copy_to, dot, multiply, multiply_by
-from .free_motion import Turn, rise_in, rises, step_back, step_on, sum_after, turn_by
-from .secular import held_together
+from .free_motion import Turn, rise_in, rises, set_exact_turn, step_back, step_on, sum_after, turn_by, turn_of
+from .secular import hold_together
+
+SAMPLES_PER_PERIOD = 16  # of the highest mode, at which the faces are looked at; with fewer, balances are missed
+MIN_FLIGHT = 1e-4  # of that period: shorter flights between balances are taken as staying together
+PATIENCE = 2.0  # round trips apart and moving apart: for good
 
 
 class Bank(NamedTuple):
@@ -52,6 +57,22 @@ def events(most: int, modes: int) -> Events:
     return Events(time, impulse, lost, np.zeros(most, np.bool_), coordinates, rates)
 
 
+class Work(NamedTuple):
+    """Room for a march, (modes,) each, the last of one less; `pull`: of the faces, per unit of each coordinate."""
+
+    q: np.ndarray
+    p: np.ndarray
+    own: np.ndarray
+    own_rate: np.ndarray
+    pull: np.ndarray
+    turn: Turn
+
+    @classmethod
+    def of(cls, modes: int) -> Self:
+        (q, p), (own, own_rate, pull) = np.empty((2, modes)), np.empty((3, modes - 1))
+        return cls(q, p, own, own_rate, pull, turn_of(modes - 1))
+
+
 def single_balance(mobility: np.ndarray, closing: np.ndarray, rates: np.ndarray, restitution: float) -> np.ndarray:
     """Jumps of velocity in one balance, in any coordinates: nodes of a mesh or modes.
 
@@ -62,20 +83,18 @@ def single_balance(mobility: np.ndarray, closing: np.ndarray, rates: np.ndarray,
     return -(1.0 + restitution) * float(closing @ rates) / float(closing @ response) * response
 
 
-def led(bank, time):
+@kernel
+def led_at(bank, time):
     """How far both bodies come together without touching, how fast, and their acceleration."""
     fall = bank.fall + bank.surge * time
     half, sixth = 0.5 * bank.fall * time * time, bank.surge * time**3 / 6.0
     return half + sixth, time * (bank.fall + 0.5 * bank.surge * time), fall
 
 
-_led = kernel(led)  # `led` itself takes arrays of times
-
-
 @kernel
 def _apart(bank, p, time):
     """Whether both bodies as a whole move away from each other."""
-    first = bank.closing[0] * p[0] + _led(bank, time)[1]
+    first = bank.closing[0] * p[0] + led_at(bank, time)[1]
     return first + bank.closing[bank.target] * p[bank.target] < 0.0 if bank.target >= 0 else first < 0.0
 
 
@@ -117,7 +136,7 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
             break
         k += 1
         overlap, rate = step_on(turn, bank.closing, q, p)
-        lead, speed, _ = _led(bank, k * step)
+        lead, speed, _ = led_at(bank, k * step)
         overlap += lead
         rate += speed
         if overlap >= 0.0 and rate > 0.0:
@@ -146,7 +165,7 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
         copy_to(p1, p)
         turn = Turn(turns.stay[level], turns.go[level], turns.back[level])
         overlap, rate = step_on(turn, bank.closing, q1, p1)
-        lead, speed, _ = _led(bank, time + part)
+        lead, speed, _ = led_at(bank, time + part)
         overlap += lead
         rate += speed
         if overlap > tolerance >= before and level + 1 < levels:
@@ -174,19 +193,19 @@ def _fly(bank, turn, step, q, p, q1, p1, begun, longest):
     """
     copy_to(q1, q)
     copy_to(p1, p)
-    overlap, rate = 0.0, dot(bank.closing, p) + _led(bank, begun)[1]
+    overlap, rate = 0.0, dot(bank.closing, p) + led_at(bank, begun)[1]
     steps, elapsed = 0, 0.0
     while elapsed < longest:
         before, rate_before, now = overlap, rate, begun + elapsed
         overlap, rate = step_on(turn, bank.closing, q1, p1)
-        lead, speed, _ = _led(bank, now + step)
+        lead, speed, _ = led_at(bank, now + step)
         overlap += lead
         rate += speed
         high = rises(before, rate_before, overlap, rate, step)
         if high > 0.0 and (steps > 0 or rate_before < 0.0 or overlap > 0.0):
             low = 0.0 if steps > 0 else 1e-9 * step  # past the touch that the flight began with
             step_back(turn, q1, p1)
-            into = rise_in(bank, q1, p1, low, high, *_led(bank, now))
+            into = rise_in(bank, q1, p1, low, high, *led_at(bank, now))
             turn_by(bank, into, q1, p1)
             return elapsed + into
         steps += 1
@@ -214,39 +233,69 @@ def apart() -> Joined:
 
 def joined(bank: Bank) -> Joined:
     """Modes of both bodies with w.q = 0."""
-    squares = bank.frequencies**2
-    found, basis = held_together(squares, bank.closing)
-    norm = float(bank.closing @ bank.closing)
-    press = -(bank.closing * squares / norm) @ basis
-    frequencies = np.sqrt(np.maximum(found, 0.0))
-    pushed = basis[0] / bank.closing[0]
-    swings = frequencies > 0.0
-    shift = np.where(swings, pushed / np.where(swings, frequencies, 1.0) ** 2, 0.0)
-    drift = np.where(swings, 0.0, pushed)
-    return Joined(frequencies, basis, press, shift, drift, 1.0 / norm + float(press @ shift))
+    modes = bank.closing.size
+    frequencies, press, shift, drift = np.empty((4, modes - 1))
+    known = Joined(frequencies, np.empty((modes, modes - 1)), press, shift, drift, 0.0)
+    return known._replace(weight=join(bank, known, np.empty(modes), secular.Work.of(modes)))
 
 
-@allocating_kernel
-def _stick(bank, joined, step, q, p, begun, longest):
-    """Move as one from `begun` [s] until the faces would pull; in place. Returns how long, and whether it ended so."""
-    basis, modes = joined.basis, joined.frequencies.size
-    lead, speed, fall = _led(bank, begun)  # which hardly changes while they stick
+@kernel
+def join(bank, joined, squares, work):
+    """Write these modes but for the weight, which it returns; squares (modes,): room."""
+    norm = dot(bank.closing, bank.closing)
+    for i in range(squares.size):
+        squares[i] = bank.frequencies[i] ** 2
+    hold_together(squares, bank.closing, work, joined.frequencies, joined.basis)
+    weight = 1.0 / norm
+    for k in range(joined.frequencies.size):
+        pushed = joined.basis[0, k] / bank.closing[0]
+        square = max(joined.frequencies[k], 0.0)
+        swings = square > 0.0
+        joined.frequencies[k] = np.sqrt(square)
+        joined.shift[k], joined.drift[k] = (pushed / square, 0.0) if swings else (0.0, pushed)
+        joined.press[k] = 0.0
+        for i in range(squares.size):
+            joined.press[k] -= bank.closing[i] * squares[i] / norm * joined.basis[i, k]
+        weight += joined.press[k] * joined.shift[k]
+    return weight
+
+
+@inner_kernel
+def hold(bank, joined, begun, q, p, own, own_rate):
+    """Coordinates and rates of the whole, less its shift, where the faces meet at `begun` [s]: q, p are changed.
+    Returns the acceleration of both bodies towards each other, which hardly changes while they stick."""
+    lead, speed, fall = led_at(bank, begun)
     q[0] += lead / bank.closing[0]
     p[0] += speed / bank.closing[0]
-    own, own_rate, weight = np.empty(modes), np.empty(modes), fall * joined.weight
-    multiply_by(own, q, basis)
+    multiply_by(own, q, joined.basis)
     add_to(own, -fall, joined.shift)
-    multiply_by(own_rate, p, basis)
-    closing = np.zeros(modes)
-    add_to(closing, -1.0, joined.press)
-    after = Bank(joined.frequencies, closing, -1, 0.0, 0.0)  # its "overlap" is the pull
-    turn_stay, turn_go, turn_back = np.empty(modes), np.empty(modes), np.empty(modes)
-    for i in range(modes):
-        omega = joined.frequencies[i]
-        sine = np.sin(omega * step)
-        turn_stay[i], turn_back[i] = np.cos(omega * step), -omega * sine
-        turn_go[i] = sine / omega if omega > 0.0 else step
-    turn = Turn(turn_stay, turn_go, turn_back)
+    multiply_by(own_rate, p, joined.basis)
+    return fall
+
+
+@inner_kernel
+def release(bank, joined, fall, begun, elapsed, own, own_rate, q, p):
+    """Coordinates and rates of both bodies again, from those of the whole after free motion."""
+    add_to(own, fall, joined.shift)
+    add_to(own, 0.5 * fall * elapsed**2, joined.drift)
+    multiply(q, joined.basis, own)
+    add_to(own_rate, fall * elapsed, joined.drift)
+    multiply(p, joined.basis, own_rate)
+    lead, speed, _ = led_at(bank, begun + elapsed)
+    q[0] -= lead / bank.closing[0]
+    p[0] -= speed / bank.closing[0]
+
+
+@inner_kernel
+def _stick(bank, joined, step, q, p, begun, longest, work):
+    """Move as one from `begun` [s] until the faces would pull; in place. Returns how long, and whether it ended so."""
+    own, own_rate, turn = work.own, work.own_rate, work.turn
+    fall = hold(bank, joined, begun, q, p, own, own_rate)
+    weight = fall * joined.weight
+    for k in range(own.size):
+        work.pull[k] = -joined.press[k]
+    after = Bank(joined.frequencies, work.pull, -1, 0.0, 0.0)  # its "overlap" is the pull
+    set_exact_turn(turn, joined.frequencies, step)
     elapsed, parted = 0.0, False
     pull, rate = sum_after(after, 0.0, own, own_rate)
     pull -= weight
@@ -263,35 +312,28 @@ def _stick(bank, joined, step, q, p, begun, longest):
             parted = True
             break
         elapsed += step
-    add_to(own, fall, joined.shift)
-    add_to(own, 0.5 * fall * elapsed**2, joined.drift)
-    multiply(q, basis, own)
-    add_to(own_rate, fall * elapsed, joined.drift)
-    multiply(p, basis, own_rate)
-    lead, speed, _ = _led(bank, begun + elapsed)
-    q[0] -= lead / bank.closing[0]
-    p[0] -= speed / bank.closing[0]
+    release(bank, joined, fall, begun, elapsed, own, own_rate, q, p)
     return elapsed, parted
 
 
-@allocating_kernel
-def event_located(bank, joined, turn, step, restitution, soft, end, patience, q, p, events):
+@kernel
+def event_located(bank, joined, turn, step, restitution, soft, end, patience, q, p, events, work):
     """Balances at the very instants at which the faces meet, free flight between them exact.
 
     `step` only looks for the instants: well below the shortest period. Where so little speed is left that the next
     flight would be shorter than `soft` [s], the faces stay together until they would pull, as the endless sequence of
-    ever smaller balances has it. Arguments and result as for `at_step_ends`.
+    ever smaller balances has it. Arguments and result as for `at_step_ends`; work: room.
     """
-    q1, p1 = np.empty(q.size), np.empty(q.size)
+    q1, p1 = work.q, work.p
     count, time = 0, 0.0
     while time < end and count + 2 <= events.time.size:
-        _, speed, fall = _led(bank, time)
+        _, speed, fall = led_at(bank, time)
         rate = dot(bank.closing, p) + speed
         impulse, lost = _balance(bank, restitution, rate, p)
         parting = restitution * rate
-        push = fall  # how fast the faces would come back
+        push = fall + bank.surge * soft / 3.0  # how fast the faces would come back, as far as a short flight goes
         for i in range(q.size):
-            push -= bank.closing[i] * bank.frequencies[i] ** 2 * q[i]
+            push -= bank.closing[i] * bank.frequencies[i] ** 2 * (q[i] + p[i] * soft / 3.0)
         sticks = push > 0.0 and 2.0 * parting <= soft * push
         if sticks:
             more, less = _balance(bank, 0.0, dot(bank.closing, p) + speed, p)
@@ -300,7 +342,7 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
         count += 1
         if sticks:
             before = p[0]
-            elapsed, parted = _stick(bank, joined, step, q, p, time, end - time)
+            elapsed, parted = _stick(bank, joined, step, q, p, time, end - time, work)
             time += elapsed
             _write(events, count, time, (before - p[0]) / bank.closing[0], 0.0, NOT_JOINED, q, p)
             count += 1
@@ -316,40 +358,3 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
         copy_to(q, q1)
         copy_to(p, p1)
     return count, time
-
-
-def course(bank: Bank, flight: np.ndarray, joined: Joined, events: Events, after: np.ndarray, delay: np.ndarray):
-    """Coordinates and rates `delay` [s] after the events `after`, (times, modes) each.
-
-    `flight` [rad/s]: frequencies of the free motion; Newmark's are a little lower than those of the bank.
-    """
-    q, p = _swing(bank.frequencies, flight, events.coordinates[after], events.rates[after], delay[:, None])
-    stuck = np.flatnonzero(events.stuck[after])
-    if stuck.size:
-        begun, late = events.time[after[stuck]], delay[stuck]
-        at, rate = events.coordinates[after[stuck]], events.rates[after[stuck]]
-        lead, speed, fall = led(bank, begun)
-        at[:, 0] += lead / bank.closing[0]
-        rate[:, 0] += speed / bank.closing[0]
-        shift = np.multiply.outer(fall, joined.shift)
-        own, own_rate = _swing(
-            joined.frequencies, joined.frequencies, at @ joined.basis - shift, rate @ joined.basis, late[:, None]
-        )
-        q[stuck] = (own + shift + np.multiply.outer(0.5 * fall * late**2, joined.drift)) @ joined.basis.T
-        p[stuck] = (own_rate + np.multiply.outer(fall * late, joined.drift)) @ joined.basis.T
-        lead, speed, _ = led(bank, begun + late)
-        q[stuck, 0] -= lead / bank.closing[0]
-        p[stuck, 0] -= speed / bank.closing[0]
-    return q, p
-
-
-def _swing(frequencies, flight, q, p, delay):
-    angle = flight * delay
-    cosine, sine = np.cos(angle), np.sin(angle)
-    go = np.where(frequencies > 0.0, sine / np.where(frequencies > 0.0, frequencies, 1.0), delay)
-    return cosine * q + go * p, cosine * p - frequencies * sine * q
-
-
-def newmark_frequencies(frequencies: np.ndarray, step: float) -> np.ndarray:
-    """Those with which Newmark's step turns the modes: 2 atan(omega step / 2) / step."""
-    return 2.0 / step * np.arctan(0.5 * frequencies * step)

@@ -11,10 +11,10 @@ import numpy as np
 from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts, modal_drawn
+from .balance_histories import between
 from .closed_collisions import follow_power, follow_sine
 from .modal_steps import usual_step
 from .oscillators import residual_spring, set_bank
-from .spring_drawn import between
 from .waves.drawn import BEYOND, NO_ROOM, SOLVED, instant
 
 # what `answer` writes into `out`: TRIP, the time unit, in the unit of its arguments; then of the march, and behind

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit.kernels import inner_kernel, summing_kernel
+from ..jit.kernels import inner_kernel, kernel, summing_kernel
 
 
 class Turn(NamedTuple):
@@ -19,15 +19,51 @@ class Turn(NamedTuple):
     back: np.ndarray
 
 
+def turn_of(modes: int) -> Turn:
+    return Turn(*np.empty((3, modes)))
+
+
 def exact_turn(frequencies: np.ndarray, step: float) -> Turn:
-    angle = frequencies * step
-    return Turn(np.cos(angle), step * np.sinc(angle / np.pi), -frequencies * np.sin(angle))
+    turn = turn_of(frequencies.size)
+    set_exact_turn(turn, frequencies, step)
+    return turn
 
 
 def newmark_turn(frequencies: np.ndarray, step: float) -> Turn:
     """Of Newmark's constant mean acceleration: the same in modes as in nodes."""
-    square = (0.5 * frequencies * step) ** 2
-    return Turn((1.0 - square) / (1.0 + square), step / (1.0 + square), -(frequencies**2) * step / (1.0 + square))
+    turn = turn_of(frequencies.size)
+    set_newmark_turn(turn, frequencies, step)
+    return turn
+
+
+def newmark_frequencies(frequencies: np.ndarray, step: float) -> np.ndarray:
+    """Those with which Newmark's step turns the modes."""
+    found = np.empty(frequencies.size)
+    set_newmark_frequencies(found, frequencies, step)
+    return found
+
+
+@kernel
+def set_newmark_frequencies(turned, frequencies, step):
+    for i in range(frequencies.size):
+        turned[i] = 2.0 / step * np.arctan(0.5 * frequencies[i] * step)
+
+
+@kernel
+def set_exact_turn(turn, frequencies, step):
+    for i in range(frequencies.size):
+        omega = frequencies[i]
+        sine = np.sin(omega * step)
+        turn.stay[i], turn.back[i] = np.cos(omega * step), -omega * sine
+        turn.go[i] = sine / omega if omega > 0.0 else step
+
+
+@kernel
+def set_newmark_turn(turn, frequencies, step):
+    for i in range(frequencies.size):
+        square = (0.5 * frequencies[i] * step) ** 2
+        turn.stay[i], turn.go[i] = (1.0 - square) / (1.0 + square), step / (1.0 + square)
+        turn.back[i] = -(frequencies[i] ** 2) * step / (1.0 + square)
 
 
 @summing_kernel

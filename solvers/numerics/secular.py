@@ -6,13 +6,39 @@ Source: Gu and Eisenstat (1995), for the weights that belong to the roots as rou
 orthogonal.
 """
 
+from typing import NamedTuple, Self
+
 import numpy as np
 
-from ..jit.kernels import allocating_kernel, kernel
+from ..jit.kernels import inner_kernel, kernel
+from .arrays import copy_to, dot
 
 SAME_POLE = 1e-13  # relative difference of two poles that are taken as one
 LEAST_WEIGHT = 1e-15  # of the norm of the weights: who is moved by less takes no part
 MAX_ITERATIONS = 200  # of a root: fifty of them halve the interval, whatever the others bring
+
+
+class Work(NamedTuple):
+    """Room for so many modes."""
+
+    order: np.ndarray  # (modes,) of int, as are the next four: modes by their poles
+    origin: np.ndarray
+    taking: np.ndarray
+    first: np.ndarray  # of modes that are turned into each other, one and the other
+    second: np.ndarray
+    poles: np.ndarray  # (modes,), as are the next three
+    weights: np.ndarray
+    own: np.ndarray
+    offset: np.ndarray
+    turns: np.ndarray  # (modes, 2), cosine and sine
+    vectors: np.ndarray  # (modes, modes - 1)
+
+    @classmethod
+    def of(cls, modes: int) -> Self:
+        order, origin, taking, first, second = np.empty((5, modes), np.int64)
+        poles, weights, own, offset = np.empty((4, modes))
+        turns, vectors = np.empty((modes, 2)), np.empty((modes, modes - 1))
+        return cls(order, origin, taking, first, second, poles, weights, own, offset, turns, vectors)
 
 
 def held_together(poles: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -20,41 +46,87 @@ def held_together(poles: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, n
 
     poles (modes,): squared frequencies of the parts, in any order.
     """
-    order = np.argsort(poles, kind="stable")
-    d, w = poles[order], weights[order] / np.linalg.norm(weights)
-    turns, apart = _deflated(d, w)
-    taking = np.setdiff1d(np.arange(d.size), apart)
-    origin, offset = np.empty(max(taking.size - 1, 0), np.int64), np.empty(max(taking.size - 1, 0))
-    vectors = np.zeros((d.size, d.size - 1))
-    found = np.append(d[apart], np.zeros(offset.size))
-    vectors[apart, np.arange(apart.size)] = 1.0
-    own = d[taking]
-    _roots(own, w[taking] ** 2, origin, offset)
-    found[apart.size :] = own[origin] + offset
-    vectors[taking, apart.size :] = _vectors(own, np.sign(w[taking]), origin, offset)
-    for one, other, cosine, sine in reversed(turns):
-        rows = vectors[one].copy(), vectors[other].copy()
-        vectors[one], vectors[other] = cosine * rows[0] + sine * rows[1], cosine * rows[1] - sine * rows[0]
-    ascending = np.argsort(found, kind="stable")
-    back = np.empty_like(order)
-    back[order] = np.arange(order.size)
-    return found[ascending], np.ascontiguousarray(vectors[back][:, ascending])
+    found, vectors = np.empty(poles.size - 1), np.empty((poles.size, poles.size - 1))
+    hold_together(poles, weights, Work.of(poles.size), found, vectors)
+    return found, vectors
 
 
-def _deflated(d: np.ndarray, w: np.ndarray) -> tuple[list[tuple[int, int, float, float]], np.ndarray]:
-    """Turns the weights (modes,) of equal poles into one of them, in place. Returns the turns, and who is left out."""
-    turns, apart, last = [], [], -1
+@kernel
+def hold_together(poles, weights, work, found, vectors):
+    """Write what `held_together` returns."""
+    size, norm = poles.size, np.sqrt(dot(weights, weights))
+    _ascending(poles, work.order)
+    for i in range(size):
+        work.poles[i], work.weights[i] = poles[work.order[i]], weights[work.order[i]] / norm
+        for k in range(size - 1):
+            work.vectors[i, k] = 0.0
+    turned, many = _deflated(work, found)
+    apart = size - many
+    own, origin, offset = work.own[:many], work.origin[: max(many - 1, 0)], work.offset[: max(many - 1, 0)]
+    for i in range(many):
+        own[i] = work.weights[work.taking[i]] ** 2
+    kept, signs = work.poles, work.weights
+    for i in range(many):  # taking ascends: nothing is overwritten that is still to come
+        kept[i], signs[i] = kept[work.taking[i]], np.sign(signs[work.taking[i]])
+    _roots(kept[:many], own, origin, offset)
+    for k in range(offset.size):
+        found[apart + k] = kept[origin[k]] + offset[k]
+    _write_vectors(kept[:many], signs, origin, offset, own, work.taking, work.vectors[:, apart:])
+    for turn in range(turned - 1, -1, -1):
+        one, other, (cosine, sine) = work.first[turn], work.second[turn], work.turns[turn]
+        for k in range(size - 1):
+            before, after = work.vectors[one, k], work.vectors[other, k]
+            work.vectors[one, k] = cosine * before + sine * after
+            work.vectors[other, k] = cosine * after - sine * before
+    ranks, sorted_out = work.origin[: size - 1], work.own[: size - 1]
+    _ascending(found, ranks)
+    for k in range(size - 1):
+        sorted_out[k] = found[ranks[k]]
+        for i in range(size):
+            vectors[work.order[i], k] = work.vectors[i, ranks[k]]
+    copy_to(found, sorted_out)
+
+
+@inner_kernel
+def _ascending(values, order):
+    """Write the places of values in their order; of equal ones in that in which they stand."""
+    for i in range(values.size):
+        k = i
+        while k > 0 and values[order[k - 1]] > values[i]:
+            order[k] = order[k - 1]
+            k -= 1
+        order[k] = i
+
+
+@inner_kernel
+def _deflated(work, found):
+    """Turn the weights of equal poles into one of them, in place; write roots and vectors of who is left out, and who
+    takes part. Returns how many turns, and how many take part."""
+    turned, apart, last = 0, 0, -1
+    d, w = work.poles, work.weights
     for i in range(d.size):
+        left_out = -1
         if abs(w[i]) <= LEAST_WEIGHT:
-            apart.append(i)
-            continue
-        if last >= 0 and d[i] - d[last] <= SAME_POLE * d[i]:
+            left_out = i
+        elif last >= 0 and d[i] - d[last] <= SAME_POLE * d[i]:
             length = np.hypot(w[i], w[last])
-            turns.append((last, i, w[i] / length, w[last] / length))
+            work.first[turned], work.second[turned] = last, i
+            work.turns[turned, 0], work.turns[turned, 1] = w[i] / length, w[last] / length
+            turned += 1
             w[i], w[last] = length, 0.0
-            apart.append(last)
-        last = i
-    return turns, np.array(apart, np.int64)
+            left_out = last
+        if left_out >= 0:
+            found[apart] = d[left_out]
+            work.vectors[left_out, apart] = 1.0
+            apart += 1
+        if left_out != i:
+            last = i
+    many = 0
+    for i in range(d.size):
+        if abs(w[i]) > LEAST_WEIGHT:
+            work.taking[many] = i
+            many += 1
+    return turned, many
 
 
 @kernel
@@ -99,11 +171,10 @@ def _roots(d, squares, origin, offset):
         origin[k], offset[k] = pole, x
 
 
-@allocating_kernel
-def _vectors(d, signs, origin, offset):
-    """Orthonormal, (poles, poles - 1)."""
+@inner_kernel
+def _write_vectors(d, signs, origin, offset, weights, rows, vectors):
+    """Orthonormal, (poles, poles - 1), into these rows; weights (poles,): room."""
     size = d.size
-    vectors, weights = np.empty((size, size - 1)), np.empty(size)
     for i in range(size):
         product = 1.0
         for k in range(size - 1):
@@ -114,8 +185,7 @@ def _vectors(d, signs, origin, offset):
         square = 0.0
         for i in range(size):
             value = weights[i] / ((d[i] - d[origin[k]]) - offset[k])
-            vectors[i, k] = value
+            vectors[rows[i], k] = value
             square += value * value
         for i in range(size):
-            vectors[i, k] /= np.sqrt(square)
-    return vectors
+            vectors[rows[i], k] /= np.sqrt(square)

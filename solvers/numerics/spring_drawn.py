@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..jit.kernels import inner_kernel, kernel
+from .balance_histories import between
 from .single_degree import SAMPLES, energy_of_spring, on_spring, spread, straight
 from .waves.drawn import SOLVED, instant
 
@@ -27,21 +28,6 @@ class Drawn(NamedTuple):
     stress: np.ndarray  # (few instants, places): as the force, over the area
     velocity: np.ndarray
     displacement: np.ndarray
-
-
-@inner_kernel
-def between(time, values, t):
-    """A history at any time: straight between the instants; where one stands twice, after it."""
-    low, high = 0, time.size - 1
-    while high - low > 1:
-        middle = (low + high) // 2
-        if time[middle] <= t:
-            low = middle
-        else:
-            high = middle
-    width = time[low + 1] - time[low]
-    part = (min(t, time[low + 1]) - time[low]) / width if width > 0.0 else 1.0
-    return values[low] + part * (values[low + 1] - values[low])
 
 
 @inner_kernel

@@ -11,6 +11,7 @@
  * @property {string} kernels  fingerprint of their sources
  * @property {string} laboratory  address of one with a server, or nothing
  * @property {ArrayBuffer[]} messages  one of each scene
+ * @property {() => Promise<ArrayBuffer>} module  of the kernels; rejects where it is missing or damaged
  */
 
 /** Nothing where there is a server. */

@@ -11,13 +11,10 @@ const SECTION = 'fingerprint'; // in which a module names its sources: as in app
 
 /**
  * The answers of kernels that are of the same sources as the page.
- * @param {string | undefined} packed
- * @param {string} sources
+ * @param {Carried} carried
  */
-async function kernelsOf(packed, sources) {
-  const letters = Uint8Array.from(atob(packed ?? ''), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([letters]).stream().pipeThrough(new DecompressionStream('gzip'));
-  const bytes = await new Response(stream).arrayBuffer().catch(() => new ArrayBuffer(0));
+async function kernelsOf({ kernels: sources, module: unpacked }) {
+  const bytes = await unpacked().catch(() => new ArrayBuffer(0));
   const module = await WebAssembly.compile(bytes).catch(() => null);
   if (!module) throw new Error('offline.no-module');
   const [named] = WebAssembly.Module.customSections(module, SECTION);
@@ -27,7 +24,6 @@ async function kernelsOf(packed, sources) {
   });
 }
 
-const { kernels, ...rest } = /** @type {Carried} */ (carried);
-const answers = await kernelsOf(/** @type {any} */ (globalThis).strikewaveKernels, kernels);
-const { model } = new Offline(rest, answers, window.location.search);
+const came = /** @type {Carried} */ (carried);
+const { model } = new Offline(came, await kernelsOf(came), window.location.search);
 new Page(model, /** @type {HTMLElement} */ (document.getElementById('lab')));

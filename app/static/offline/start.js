@@ -4,16 +4,29 @@
 /** @import { Carried } from '../browser/home.js' */
 /** @typedef {[header: number, arrays: number[]]} Pack  of a message: bytes, and which arrays follow */
 
+const [FIRST, BITS] = [0x4000, 15]; // of letters: as in app/serving/folder.py
+
+/**
+ * What a script carries.
+ * @param {[size: number, letters: string]} packed
+ */
+const unpacked = async ([size, letters]) => {
+  const bytes = new Uint8Array(size);
+  let [held, waiting, at] = [0, 0, 0];
+  for (let k = 0; k < letters.length; k++) {
+    held = (held << BITS) | (letters.charCodeAt(k) - FIRST);
+    for (waiting += BITS; waiting >= 8; bytes[at++] = held >> waiting) waiting -= 8; // past the end nothing is written
+    held &= (1 << waiting) - 1;
+  }
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(stream).arrayBuffer();
+};
+
 /**
  * A head in JSON, and behind it the headers and the arrays of messages, as app/serving/folder.py has packed them.
- * @param {string} packed
+ * @param {ArrayBuffer} whole
  */
-const unpacked = async (packed) => {
-  const letters = atob(packed);
-  const bytes = new Uint8Array(letters.length);
-  for (let k = 0; k < letters.length; k++) bytes[k] = letters.charCodeAt(k);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  const whole = await new Response(stream).arrayBuffer();
+const scenesOf = async (whole) => {
   let at = 4 + new DataView(whole).getUint32(0, true);
   const {
     messages: packs,
@@ -36,8 +49,9 @@ const unpacked = async (packed) => {
 
 const begin = async () => {
   const all = /** @type {any} */ (window);
-  const { carried, texts } = await unpacked(all.strikewavePacked);
-  Object.assign(all, { strikewaveTexts: texts, strikewaveCarried: carried, strikewavePanels: [] });
+  const { carried, texts } = await scenesOf(await unpacked(all.strikewavePacked));
+  const module = () => unpacked(all.strikewaveKernels);
+  Object.assign(all, { strikewaveTexts: texts, strikewaveCarried: { ...carried, module }, strikewavePanels: [] });
   await all.strikewavePage();
 };
 

@@ -5,6 +5,7 @@ import * as beams from './bending.js';
 import * as chains from './chain.js';
 import * as compacts from './compact.js';
 import * as rods from './rod.js';
+import * as sprung from './sprung.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
@@ -22,6 +23,7 @@ const KINDS = {
     { follows: rods.follows, is: rods.isRod, made: rods.rodWith },
     { follows: chains.follows, is: chains.isChain, made: chains.chainWith },
     { follows: compacts.follows, is: compacts.isCompact, made: compacts.compactWith },
+    { follows: sprung.follows, is: sprung.isSprung, made: sprung.sprungWith },
   ],
   beam: [{ follows: beams.follows, is: beams.isBent, made: beams.beamWith }],
 };

@@ -237,14 +237,15 @@ export class Kernels {
     return { ...marched(figures, read), duration, force, mass: read('mass'), end: read('end') };
   }
   /**
-   * A mass on a fixed rod that bends as a spring.
-   * @param {number} beta
-   * @param {number} carried  share of the mass of the rod that goes with its end
+   * A mass on a spring that is held, as a fixed rod may bend.
+   * @param {number} mass  [Z T]
+   * @param {number} moving  that goes with the end of the spring [Z T]
+   * @param {number} stiffness  [Z / T]
    * @param {number} duration  [T]; none where the bodies then still touch
    * @returns {SprungImpact | null}
    */
-  spring(beta, carried, duration) {
-    const called = this.call('spring', beta, carried, duration);
+  spring(mass, moving, stiffness, duration) {
+    const called = this.call('spring', mass, moving, stiffness, duration);
     if (!called) return null;
     const { figures, read } = called;
     const { apart, atOnce, compressing, dissipated, energy, final, impulse, parting, peak, root, steps } = figures;

@@ -1,5 +1,6 @@
 // What the page draws of a mass on a uniform rod, by the browser's own answer: a message like that of the server.
 import { between } from '../charts/scale.js';
+import { besideByBalance, byBalance } from './balance.js';
 import { figuresOf, unbalanced } from './figures.js';
 import { cycleOf, felt, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
 import { besideOf, byModes } from './modal.js';
@@ -32,7 +33,7 @@ export function isRod(frame) {
   const mass = ['mass', 'sphere'].includes(impactor.kind) && impactor.mass > 0;
   const last = exact.contacts.at(-1)?.[1] ?? NaN;
   const usual = Math.abs(duration - last - 1) < 1e-9 && !draft && !stretch && !fall;
-  const beside = !other || byModes(frame) || bySpring(frame);
+  const beside = !other || byModes(frame) || bySpring(frame) || byBalance(frame);
   const shown = [exact.name, other?.name].includes(String(chosen.method)) && beside;
   return alone && mass && pressed(frame) && exact.travelling && usual && shown;
 }
@@ -89,13 +90,24 @@ export function rodWith(kernels, from, chosen) {
   exact.diagnostics.estimated_error = Math.max(unsure, impact.cycle ? ERROR.law : ERROR.rigid);
   exact.diagnostics.wall_time = (performance.now() - begun) / 1e3;
   const whole = { ...made, exact, match: exact.restitution.newton };
-  const beside = bySpring(whole) ? besideBySpring(kernels, whole) : besideOf(kernels, whole, law);
+  const beside = besideIt(kernels, whole, law);
   if (!beside) return null;
   if (mass === from.impactor.mass && times === 1 && same(from, chosen, law)) {
     exact.notes = from.exact.notes;
     if (beside.other && from.other && chosen.modes === from.chosen.modes) beside.other.notes = from.other.notes;
   }
   return { ...whole, ...beside };
+}
+
+/**
+ * The method beside, whichever it is.
+ * @param {Kernels} kernels
+ * @param {AxialFrame} made
+ * @param {LawRecord} law
+ */
+function besideIt(kernels, made, law) {
+  if (bySpring(made)) return besideBySpring(kernels, made);
+  return byBalance(made) ? besideByBalance(kernels, made) : besideOf(kernels, made, law);
 }
 
 /**

@@ -6,6 +6,8 @@ import { FIELD } from './room.js';
 /** @import { AxialFrame } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
 
+const [STIFFNESS, MASS] = [2, 0.5]; // of any uniform rod [Z / T, Z T]
+
 /**
  * Whether the method beside bends the rod so.
  * @param {AxialFrame} frame
@@ -20,23 +22,42 @@ export const bySpring = ({ other, springCarries }) => Boolean(other && springCar
  * @returns {Partial<AxialFrame> | null}
  */
 export function besideBySpring(kernels, made) {
+  const { impactor, shapes, springCarries, target } = made;
+  const striker = (MASS * impactor.mass) / target.mass;
+  const found = onSpring(kernels, made, striker, MASS * (springCarries ?? 0), STIFFNESS);
+  if (!found) return null;
+  return {
+    ...found.beside,
+    ...{ fieldStress: found.stress, fieldVelocity: found.velocity, fieldDisplacement: found.displacement },
+    shapes: { ...shapes, fieldStress: FIELD, fieldVelocity: FIELD, fieldDisplacement: FIELD },
+  };
+}
+
+/**
+ * What any spring does beside an impact that was found here, and its fields as those of a rod.
+ * @param {Kernels} kernels
+ * @param {AxialFrame} made
+ * @param {number} mass  [Z T], as is that which goes with its end
+ * @param {number} moving
+ * @param {number} stiffness  [Z / T]
+ */
+export function onSpring(kernels, made, mass, moving, stiffness) {
   const begun = performance.now();
-  const { duration, forceUnit, impactor, other, shapes, springCarries, target, trip } = made;
-  const found = other && kernels.spring(target.mass / impactor.mass, springCarries ?? 0, duration);
+  const { duration, forceUnit, other, trip } = made;
+  const found = other && kernels.spring(mass, moving, stiffness, duration);
   if (!found) return null;
   const at = (/** @type {number} */ time) => between(found.forceTime, found.force, time);
   const figures = figuresOf(made, other, { ...found, target: 0, local: 0, cycle: null }, at);
+  const diagnostics = {
+    ...figures.diagnostics,
+    ...{ initial_impulse: found.atOnce * forceUnit * trip, peak_root_force: found.root * forceUnit },
+    ...{ steps: found.steps, wall_time: (performance.now() - begun) / 1e3 },
+  };
   return {
-    ...{ otherMass: found.mass, otherEnd: found.end, otherTime: found.forceTime, otherForce: found.force },
-    ...{ fieldStress: found.stress, fieldVelocity: found.velocity, fieldDisplacement: found.displacement },
-    shapes: { ...shapes, fieldStress: FIELD, fieldVelocity: FIELD, fieldDisplacement: FIELD },
-    other: {
-      ...figures,
-      diagnostics: {
-        ...figures.diagnostics,
-        ...{ initial_impulse: found.atOnce * forceUnit * trip, peak_root_force: found.root * forceUnit },
-        ...{ steps: found.steps, wall_time: (performance.now() - begun) / 1e3 },
-      },
+    ...{ stress: found.stress, velocity: found.velocity, displacement: found.displacement },
+    beside: {
+      ...{ otherMass: found.mass, otherEnd: found.end, otherTime: found.forceTime, otherForce: found.force },
+      other: { ...figures, diagnostics },
     },
   };
 }

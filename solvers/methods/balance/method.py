@@ -10,9 +10,9 @@ import numpy as np
 from ... import validation
 from ...bodies import Rod
 from ...numerics import balances
-from ...numerics.balances import Events
+from ...numerics.balances import MIN_FLIGHT, SAMPLES_PER_PERIOD, Events, Work
 from ...numerics.elements.modes import mesh_modes
-from ...numerics.free_motion import Turn, exact_turn, newmark_turn
+from ...numerics.free_motion import Turn, exact_turn, newmark_frequencies, newmark_turn
 from ...numerics.modes import Modes
 from ...provenance import clock
 from ...scene import Scene
@@ -26,8 +26,6 @@ from ..validity import bodies_that_bend, notes_on_rigid_impact
 from .motion import MOST_NUMBERS, BalanceMotion, Pair, Run
 
 VARIANTS = ("event-located", "step-end", "step-halving")
-SAMPLES_PER_PERIOD = 16  # of the highest mode, at which the faces are looked at; with fewer, balances are missed
-MIN_FLIGHT = 1e-4  # of that period: shorter flights between balances are taken as staying together
 MOST_BALANCES = 20_000
 HALVINGS = 40
 HEAVY_ROD_RATIO = 1.5  # times the mass: from such a free rod the mass parts with hardly any force
@@ -230,11 +228,11 @@ class Balance(Method):
             joined, step = balances.joined(bank), period / SAMPLES_PER_PERIOD
             count, reached = balances.event_located(
                 bank, joined, exact_turn(bank.frequencies, step), step, self.restitution, MIN_FLIGHT * period, end,
-                pair.patience, q, p, found,
+                pair.patience, q, p, found, Work.of(q.size),
             )  # fmt: skip
         elif self.variant == "step-end":
             step = period / SAMPLES_PER_PERIOD if step is None else step
-            flight = balances.newmark_frequencies(bank.frequencies, step)
+            flight = newmark_frequencies(bank.frequencies, step)
             turn = newmark_turn(bank.frequencies, step)
             count, reached = balances.at_step_ends(bank, turn, self.restitution, step, end, pair.patience, q, p, found)
         else:

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ...numerics import balances
-from ...numerics.balances import Bank, Events, Joined
+from ...numerics import balance_histories
+from ...numerics.balance_histories import DRAWN
+from ...numerics.balances import PATIENCE, Bank, Events, Joined, Work
 from ...numerics.elements.line import two_sided
 from ...numerics.modes import Modes
 from ...scene import Scene
@@ -17,7 +18,6 @@ from ...solution.sampled_motion import SampledMotion, ShapeField
 from ...solution.solution import ContactPeriod
 
 MOST_NUMBERS = 4_000_000  # doubles kept: coordinates after every balance
-DRAWN = 1500  # instants at which fields are known
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Pair:
         shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
         rings = [(own, body) for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
         split = modes[0].frequencies.size + 1
-        patience = 2.0 * max((body.time_unit or 0.0 for _, body in rings), default=scene.time_unit)
+        patience = PATIENCE * max((body.time_unit or 0.0 for _, body in rings), default=scene.time_unit)
         # bending waves disperse: no front runs through a beam
         resolved = (own.shortest_period if body.bends else own.front_time for own, body in rings)
         return cls(bank, np.concatenate(start), bodies, modes, split, shortest, max(resolved, default=0.0), patience)
@@ -117,12 +117,14 @@ class Run:
         struck = self.pair.bank.closing[0] * self.events.rates[-1, 0]
         return float(self.pair.modes[0].mean_velocity(self.pair.bodies[0].velocity, struck))
 
+    @property
+    def known(self) -> tuple[Bank, np.ndarray, Joined, Events, np.ndarray]:
+        """All that a state follows from."""
+        return self.pair.bank, self.flight, self.joined, self.events, self.pair.start
+
     def states(self, after: np.ndarray, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Coordinates and rates at `times`, each later than the event named by `after`; -1: before the first."""
-        delay = times - self.events.time[np.maximum(after, 0)]
-        q, p = balances.course(self.pair.bank, self.flight, self.joined, self.events, np.maximum(after, 0), delay)
-        q[after < 0], p[after < 0] = 0.0, self.pair.start
-        return q, p
+        return balance_histories.course(*self.known, after, times)
 
 
 class BalanceMotion(SampledMotion):
@@ -136,64 +138,41 @@ class BalanceMotion(SampledMotion):
         self.scene, self.run = scene, run
         events, pair = run.events, run.pair
         self.impulses = events.time[run.balances], events.impulse[run.balances]
-        drawn = np.linspace(0.0, run.duration, DRAWN)
-        number = np.arange(events.time.size)
-        times = np.concatenate((drawn, events.time, events.time))
-        after = np.concatenate((np.searchsorted(events.time, drawn, "right") - 1, number - 1, number))
-        order = np.lexsort((after, times))
-        times, after = times[order], after[order]
+        count = DRAWN + 2 * events.time.size
+        times, after, rows = np.empty(count), np.empty(count, np.int64), np.empty((balance_histories.COLUMNS, count))
+        balance_histories.instants(events, DRAWN, run.duration, times, after)
+        means = pair.modes[1].means
+        balance_histories.histories(
+            *run.known, pair.split, np.zeros(0) if means is None else means, times, after,
+            Work.of(pair.bank.closing.size), rows,
+        )  # fmt: skip
         self._after = after
-        found = np.concatenate(
-            [self._histories(after[i : i + 2000], times[i : i + 2000]) for i in range(0, times.size, 2000)]
-        ).T
-        (
-            impactor_position, impactor_velocity, end_position, end_velocity, rigid_velocity, *energies, face, impulse
-        ) = found  # fmt: skip
-        lost = np.append(0.0, np.cumsum(events.lost))[after + 1]
+        face, face_rate, end, end_rate, whole, mean, striker, ringing, impulse, lost = rows
+        (first, second), (impactor, other) = pair.modes, pair.bodies
+        rate, rigid = np.full(count, other.velocity), np.zeros(count)
+        if pair.bank.target >= 0:
+            rate, rigid = whole, second.moving_energy(other.mass, other.velocity, whole)
+        energies = {
+            "impactor": first.moving_energy(impactor.mass, impactor.velocity, face_rate) + striker,
+            "target_rigid": rigid,
+            "target_vibration": ringing,
+            "local": np.zeros(count),
+            "dissipated": lost,
+        }
         super().__init__(
             time=times,
-            force=np.zeros(times.size),
+            force=np.zeros(count),
             impulse=impulse,
-            impactor_position=impactor_position,
-            impactor_velocity=impactor_velocity,
-            end_position=end_position,
-            end_velocity=end_velocity,
-            rigid_velocity=rigid_velocity,
-            energies=dict(zip(("impactor", "target_rigid", "target_vibration"), energies, strict=True))
-            | {"local": np.zeros(times.size), "dissipated": lost},
-            face_velocity=face,
+            impactor_position=first.mean_velocity(impactor.velocity * times, face),
+            impactor_velocity=first.mean_velocity(impactor.velocity, face_rate),
+            end_position=end,
+            end_velocity=end_rate,
+            rigid_velocity=second.mean_velocity(other.velocity, rate) + mean,
+            energies=energies,
+            face_velocity=face_rate,
         )
         if pair.resolved_time:
-            self._force = self._averaged(times, pair.shortest_period)
-
-    def _histories(self, after: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """Positions, velocities, energies and impulse, (times, 10)."""
-        pair, bank, q, p = self.run.pair, self.run.pair.bank, *self.run.states(after, times)
-        energy = 0.5 * (p * p + (bank.frequencies * q) ** 2)
-        split, target, (first, second), (impactor, other) = pair.split, bank.target, pair.modes, pair.bodies
-        lead, speed, _ = balances.led(bank, times)
-        face, face_rate = bank.closing[0] * q[:, 0] + lead, bank.closing[0] * p[:, 0] + speed
-        ringing, rate, rigid = energy[:, split:].sum(1), np.full(times.size, other.velocity), np.zeros(times.size)
-        if target >= 0:
-            rate = -bank.closing[target] * p[:, target]
-            ringing, rigid = ringing - energy[:, target], second.moving_energy(other.mass, other.velocity, rate)
-        mean = second.mean_velocity(other.velocity, rate)
-        if second.means is not None:
-            mean = mean + p[:, p.shape[1] - second.means.size :] @ second.means
-        return np.column_stack(
-            (
-                first.mean_velocity(impactor.velocity * times, face),
-                first.mean_velocity(impactor.velocity, face_rate),
-                -q[:, split:] @ bank.closing[split:],
-                -p[:, split:] @ bank.closing[split:],
-                mean,
-                first.moving_energy(impactor.mass, impactor.velocity, face_rate) + energy[:, 1:split].sum(1),
-                rigid,
-                ringing,
-                face_rate,
-                (pair.start[0] - p[:, 0]) / bank.closing[0],
-            )
-        )
+            balance_histories.average(times, impulse, pair.shortest_period, self._force)
 
     @property
     def has_field(self) -> bool:
@@ -228,24 +207,12 @@ class BalanceMotion(SampledMotion):
             position, velocity = factor * q[:, pair.bank.target], factor * p[:, pair.bank.target]
         return TargetState(position, velocity, q[:, first:][:, moved], p[:, first:][:, moved])
 
-    def _averaged(self, times: np.ndarray, period: float) -> np.ndarray:
-        """Impulse of the period about each instant over the part of it that is after the first touch."""
-        first, last = np.maximum(times - 0.5 * period, 0.0), times + 0.5 * period
-        gained = self._at(last, self._impulse) - np.where(first > 0.0, self._at(first, self._impulse), 0.0)
-        return gained / (last - first)
-
     def contacts(self) -> list[ContactPeriod]:
         """Balances that follow each other closely make one contact."""
         events, apart = self.run.events, self.run.pair.resolved_time
-        begins = np.flatnonzero(self.run.balances)
-        ends = begins + events.stuck[begins]
-        ends = np.minimum(ends, events.time.size - 1)
-        parts = events.time[begins[1:]] - events.time[ends[:-1]] > apart
-        firsts, lasts = begins[np.append(True, parts)], ends[np.append(parts, True)]
-        found = []
-        for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
-            start, end = float(events.time[first]), float(events.time[last])
-            near = (self.time >= start) & (self.time <= end)
-            peak = float(self._force[near].max()) if apart else None
-            found.append(ContactPeriod(start, end, float(events.impulse[first : last + 1].sum()), peak))
-        return found
+        rows = np.empty((events.time.size, balance_histories.CONTACT_COLUMNS))
+        count = balance_histories.contacts_of(events, self.time, self._force, apart, rows)
+        return [
+            ContactPeriod(start, end, impulse, peak if apart else None)
+            for start, end, impulse, peak, _ in rows[:count].tolist()
+        ]

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 const [, , module, kernels] = process.argv;
 const { kernelsOf } = await import(kernels);
 const { chainImpact } = await import(kernels.replace('kernels.js', 'chain_kernel.js'));
+const { balanceImpact } = await import(kernels.replace('kernels.js', 'balance.js'));
 const found = await kernelsOf(readFileSync(module));
 
 const drawn = ({ waveTime, wave, forceTime, force, mass, end, whole }) => ({
@@ -51,8 +52,8 @@ function beam([struck, name, constants]) {
   return { ...figures, ...lists, contacts: rows };
 }
 
-function spring([beta, carried, duration]) {
-  const impact = found.spring(beta, carried, duration);
+function spring([mass, carried, stiffness, duration]) {
+  const impact = found.spring(mass, carried, stiffness, duration);
   if (!impact) return {};
   const lists = Object.entries(impact).map(([each, value]) => [each, value.length ? [...value] : value]);
   return Object.fromEntries(lists);
@@ -75,7 +76,14 @@ function chain([rods, kinds, gaps, asked, mass, end]) {
   return { ...Object.fromEntries(lists), waves: waves.map((wave) => wave.map((values) => [...values])) };
 }
 
+function balance([made, duration]) {
+  const impact = balanceImpact(found, made, duration);
+  if (!impact) return {};
+  const lists = Object.entries(impact).map(([each, value]) => [each, value?.length ? [...value] : value]);
+  return Object.fromEntries(lists);
+}
+
 const given = JSON.parse(readFileSync(0, 'utf8'));
-const each = { rod, law, modes, beam, spring, compact, chain };
+const each = { rod, law, modes, beam, spring, compact, chain, balance };
 const answers = Object.entries(each).map(([name, one]) => [name, (given[name] ?? []).map(one)]);
 console.log(JSON.stringify(Object.fromEntries(answers)));

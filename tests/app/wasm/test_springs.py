@@ -38,7 +38,7 @@ def test_a_browser_finds_what_the_library_says():
     impacts, given = random_impacts(), []
     solved = [QuasiStatic(model=model).solve(scene, duration * scene.time_unit) for scene, model, duration in impacts]
     for (scene, _, duration), solution in zip(impacts, solved, strict=True):
-        given.append([scene.mass_ratio, carried_by_spring(solution), duration])
+        given.append([0.5 / scene.mass_ratio, 0.5 * carried_by_spring(solution), 2.0, duration])
     command = ["node", HERE / "answers.mjs", MODULE, MODULE.with_name("kernels.js")]
     done = subprocess.run(command, input=json.dumps({"spring": given}), capture_output=True, text=True, check=True)
     for (scene, *_), solution, here in zip(impacts, solved, json.loads(done.stdout)["spring"], strict=True):
@@ -87,6 +87,6 @@ def test_fields_are_of_as_many_instants_and_places_as_the_server_sends():
 @pytest.mark.browser
 def test_bodies_that_still_touch_are_left_to_the_server():
     command = ["node", HERE / "answers.mjs", MODULE, MODULE.with_name("kernels.js")]
-    given = json.dumps({"spring": [[1.0, 0.0, 1.0]]})
+    given = json.dumps({"spring": [[0.5, 0.0, 2.0, 1.0]]})
     done = subprocess.run(command, input=given, capture_output=True, text=True, check=True)
     assert json.loads(done.stdout)["spring"] == [{}]

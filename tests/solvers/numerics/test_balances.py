@@ -5,6 +5,7 @@ import pytest
 from pytest import approx
 
 from solvers.numerics import balances
+from solvers.numerics.balance_histories import course
 from solvers.numerics.balances import Bank
 from solvers.numerics.elements.banded import full
 from solvers.numerics.elements.modes import mesh_modes
@@ -36,12 +37,18 @@ def impact(bank: Bank, variant: str, restitution: float, step: float, tolerance:
     else:
         turn = exact_turn(bank.frequencies, step)
         joined, soft = balances.joined(bank), 1e-4 * 16.0 * fine(bank)
-        count, _ = balances.event_located(bank, joined, turn, step, restitution, soft, end, 2.0 * T, q, p, events)
+        count, _ = balances.event_located(
+            bank, joined, turn, step, restitution, soft, end, 2.0 * T, q, p, events, room(q)
+        )
     events = balances.Events(*(values[:count] for values in events))
     q, p = events.coordinates[-1], events.rates[-1]
     left = 0.5 * (p @ p + (bank.frequencies * q) @ (bank.frequencies * q)) / initial
     lost = float(events.lost.sum() / initial)
     return float(bank.closing[0] * p[0]), events, lost, left + lost - 1.0
+
+
+def room(q: np.ndarray) -> balances.Work:
+    return balances.Work.of(q.size)
 
 
 def fine(bank: Bank) -> float:
@@ -118,7 +125,7 @@ def test_event_located_faces_never_overlap():
         times = np.linspace(0.0, events.time[-1], 5000)
         after = np.searchsorted(events.time, times, "right") - 1
         joined = balances.joined(bank)
-        q, _ = balances.course(bank, bank.frequencies, joined, events, after, times - events.time[after])
+        q, _ = course(bank, bank.frequencies, joined, events, np.zeros(bank.closing.size), after, times)
         assert (q @ bank.closing).max() < 1e-15  # m, of 1e-4 m travelled
 
 
@@ -162,7 +169,18 @@ def test_a_mass_that_falls_on_a_wall_bounces_as_a_ball_does(restitution):
     bank = Bank(np.zeros(1), np.array([2.0]), -1, 9.81)  # 0.25 kg
     q, p, found = np.zeros(1), np.array([0.5]), balances.events(12, 1)  # 1 m/s
     count, _ = balances.event_located(
-        bank, balances.apart(), exact_turn(bank.frequencies, 1e-3), 1e-3, restitution, 1e-9, 1.0, 1.0, q, p, found
+        bank,
+        balances.apart(),
+        exact_turn(bank.frequencies, 1e-3),
+        1e-3,
+        restitution,
+        1e-9,
+        1.0,
+        1.0,
+        q,
+        p,
+        found,
+        room(q),
     )
     assert count >= 5
     speeds = restitution ** np.arange(count)
@@ -178,7 +196,7 @@ def test_bodies_that_stick_while_they_accelerate_obey_newton():
     q, p, found = np.zeros(2), np.array([mass**0.5 * 1.0, 0.0]), balances.events(20, 2)
     joined = balances.joined(bank)
     turn, step = exact_turn(bank.frequencies, 1e-3), 1e-3
-    balances.event_located(bank, joined, turn, step, 0.0, 1.0, 1.0, 1.0, q, p, found)
+    balances.event_located(bank, joined, turn, step, 0.0, 1.0, 1.0, 1.0, q, p, found, room(q))
     # x'' = (m g - k x) / (m + m2), from 0 at m v / (m + m2); the force on the mass, m (g - x''), ends where x'' = g
     omega = np.sqrt(stiffness / (mass + other))
     rest, speed = mass * gravity / stiffness, mass / (mass + other)
@@ -193,6 +211,17 @@ def test_bodies_that_accelerate_away_from_each_other_are_not_awaited_for_ever():
     bank = Bank(np.array([0.0, 1.0]), np.array([1.0, -1.0]), -1, -1e3)
     q, p, found = np.zeros(2), np.array([1e-3, 0.0]), balances.events(50, 2)
     count, reached = balances.event_located(
-        bank, balances.joined(bank), exact_turn(bank.frequencies, 1e-4), 1e-4, 0.0, 1e-9, 1e9, 10.0, q, p, found
+        bank,
+        balances.joined(bank),
+        exact_turn(bank.frequencies, 1e-4),
+        1e-4,
+        0.0,
+        1e-9,
+        1e9,
+        10.0,
+        q,
+        p,
+        found,
+        room(q),
     )
     assert count >= 1 and reached < 100.0
