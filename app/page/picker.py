@@ -10,7 +10,7 @@ from solvers.text.notes import Note
 from ..choices.beam import on_beam
 from ..choices.choices import SCENES
 from ..choices.space import in_space
-from ..lessons.shipped import lesson_names, shipped_lesson
+from ..lessons.shipped import in_order, lesson_names, shipped_lesson, translated
 from ..messages.gallery.cards import CARDS, stored_pictures
 from ..messages.gallery.drawn import HEIGHT, SHADES, WIDTH
 from ..text.refusals import note
@@ -26,7 +26,7 @@ def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
 
 def gallery() -> dict[str, Any]:
     """What the browser makes the gallery of: cards by group, their pictures, all scenes by heading, each as
-    [name, title, what else it is found by], and lessons, each as [name, title].
+    [name, title, what else it is found by], and lessons.
     """
     scenes = [
         [heading, [[name, title, _found_by(SCENES[name])] for name, title in listed]]
@@ -37,12 +37,17 @@ def gallery() -> dict[str, Any]:
     return {"cards": cards, "sheet": sheet, "pictures": stored_pictures(), "scenes": scenes, "lessons": lessons()}
 
 
-def lessons() -> list[list[str]]:
-    """Those that come with the program, by titles that give no answer away."""
-    found = [shipped_lesson(name) for name in lesson_names()]
-    following = {lesson.next for lesson in found}
-    ordered = sorted(found, key=lambda lesson: lesson.lesson in following)
-    return [[lesson.lesson, lesson.title_before or lesson.title] for lesson in ordered]
+def lessons() -> list[dict[str, Any]]:
+    """Those that come with the program, as they follow each other; `said`: title, the one before its first answer, and
+    for whom it is, by language.
+    """
+    return [
+        {
+            "name": lesson.lesson, "scene": lesson.scene, "steps": len(lesson.steps), "minutes": lesson.minutes,
+            "said": {each.language: [each.title, each.title_before, each.audience] for each in translated(lesson)},
+        }
+        for lesson in in_order([shipped_lesson(name) for name in lesson_names()])
+    ]  # fmt: skip
 
 
 def _found_by(scene: Scene) -> dict[str, Any]:

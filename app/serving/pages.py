@@ -36,7 +36,7 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
     ("libraries/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
 )
 ENTRY = "page.js"  # stands for all modules but those of these, which are fetched when they are wanted
-APART = ("gallery/gallery.js", "lesson/lesson.js", "take/files.js", "wasm/answers.js")
+APART = ("gallery/gallery.js", "courses/courses.js", "lesson/lesson.js", "take/files.js", "wasm/answers.js")
 SHEETS = "sheets.css"  # likewise, for the sheets that it names
 IMPORT = re.compile(r"@import '\./([^']+)';\n")
 SPARE = re.compile(r"^\s+|/\*[\s\S]*?\*/\n?|(?<=[;{},])\n", re.MULTILINE)  # of styles: comments, and room between rules
@@ -47,7 +47,14 @@ FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the addres
 PACKED = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".wasm": "application/wasm"}
 OF_THE_DOCUMENT = {"frame/page.css", "browser/modules.js", "browser/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"frame/embedded.css"}  # which a laboratory there loads beside
-LATE = {*APART, "gallery/gallery.css", "lesson/lesson.css", "lesson/questions.css", "wasm/kernels.wasm"}
+LATE = {
+    *APART,
+    "gallery/gallery.css",
+    "courses/courses.css",
+    "lesson/lesson.css",
+    "lesson/questions.css",
+    "wasm/kernels.wasm",
+}
 FILES = {ENTRY, SHEETS, "example-record.csv", *OF_THE_DOCUMENT, *OF_ANOTHER_PAGE, *LATE}
 POLICY = (
     "default-src 'none'; script-src 'self' blob: 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "

@@ -70,6 +70,7 @@ export function listenToKeys(page) {
     if (event.altKey || event.defaultPrevented) return;
     if (page.help.key(event, taken(event))) return;
     if (page.opening.teaching.on) {
+      if (page.scenes.searched !== null) return;
       if (!taken(event) && !event.ctrlKey && !event.metaKey && page.player.key(event)) event.preventDefault();
       return; // all else would lead out of the lesson
     }

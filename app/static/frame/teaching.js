@@ -1,6 +1,7 @@
 // A lesson, which is fetched where the address names one; what it looks like is in the folder of lessons.
 import { alone, carried, served } from '../browser/home.js';
 import { late, lateSheet } from '../browser/late.js';
+import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
@@ -8,6 +9,8 @@ import { text } from '../text/catalogue.js';
 
 const SHEETS = ['lesson.css', 'questions.css'];
 const NAME = /^[a-z0-9-]{1,60}$/;
+const OWN = 'own'; // what an address calls the lesson of a file, which the tab keeps
+const KEPT = 'own-lesson'; // as app/static/courses/own_file.js keeps it
 
 /**
  * What an address asks for.
@@ -56,11 +59,13 @@ export class Teaching {
       this.lesson = await this.#fetched(asked);
       this.lesson.open();
       this.lesson.enter(asked.step - 1, false);
+      if (this.lesson.record.untried) page.complain(text('lesson.untried'));
     } catch (error) {
       this.asked = this.lesson = null;
       page.player.bound(Infinity);
       const unknown = error instanceof RangeError;
-      page.complain(text(unknown ? 'lesson.unknown' : 'lesson.lost', { lesson: asked.name.slice(0, 60) }));
+      const why = text(unknown ? 'lesson.unknown' : 'lesson.lost', { lesson: asked.name.slice(0, 60) });
+      page.complain(asked.name === OWN ? text('lesson.own-gone') : why);
       page.layout.place();
       page.tell();
     }
@@ -73,12 +78,29 @@ export class Teaching {
   async #fetched({ language, name }) {
     if (!NAME.test(name)) throw new RangeError();
     const { page } = this;
-    const address = served(`lessons/${name}`);
-    if (language) address.searchParams.set('language', language);
-    const [module, answer] = await Promise.all([late('lesson/lesson.js'), fetch(address)]);
-    if (answer.status === 404) throw new RangeError();
-    const record = await answer.json();
+    const [module, record] = await Promise.all([
+      late('lesson/lesson.js'),
+      name === OWN ? this.#own() : this.#record(name, language),
+    ]);
     await Promise.all(SHEETS.map((each) => lateSheet(`lesson/${each}`, page.root)));
     return new module.Lesson(page, record);
+  }
+  /**
+   * @param {string} name
+   * @param {string} language
+   */
+  async #record(name, language) {
+    const address = served(`lessons/${name}`);
+    if (language) address.searchParams.set('language', language);
+    const answer = await fetch(address);
+    if (answer.status === 404) throw new RangeError();
+    return answer.json();
+  }
+  /** That of a file of the visitor's own; what was not tried of it is said once. */
+  #own() {
+    const { lesson, whole } = kept(KEPT, { lesson: null, whole: true }, true);
+    if (!lesson) throw new RangeError();
+    keep(KEPT, { lesson, whole: true }, true);
+    return Object.assign(lesson, { own: true, untried: !whole });
   }
 }

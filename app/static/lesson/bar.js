@@ -47,5 +47,6 @@ export class Bar {
       button.ariaCurrent = k === at ? 'step' : null;
       button.classList.toggle('reached', reached);
     });
+    this.steps[at].scrollIntoView({ block: 'nearest', inline: 'nearest' });
   }
 }

@@ -6,6 +6,7 @@ import { figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { Bar } from './bar.js';
+import { endingOf } from './ending.js';
 import { eventsOf, timeOf } from './events.js';
 import { elementsOf } from './nodes.js';
 import { asks, questionOf } from './questions.js';
@@ -27,6 +28,8 @@ import { summaryOf } from './summary.js';
 /**
  * @typedef {object} Record_
  * @property {string} lesson
+ * @property {boolean} [own]  of a file of the visitor's
+ * @property {boolean} [untried]  whether it was not tried as a whole
  * @property {number} version
  * @property {string} language
  * @property {string} title
@@ -56,7 +59,7 @@ export class Lesson {
   constructor(page, record) {
     this.page = page;
     this.record = record;
-    this.key = `lesson.${record.lesson}`;
+    this.key = `lesson.${record.own ? 'own.' : ''}${record.lesson}`;
     /** @type {Progress} */
     this.progress = this.#kept();
     this.still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -72,6 +75,7 @@ export class Lesson {
     this.back.onclick = () => this.enter(this.at - 1);
     this.onwards = make('button', { type: 'button', onclick: () => this.enter(this.at + 1) });
     this.moves = make('nav', { className: 'lesson-moves', ariaLabel: text('lesson.steps') }, this.back, this.onwards);
+    this.moves.append(...endingOf(this));
   }
   /** What it asks: answers to other questions are of no use. */
   get #questions() {
@@ -101,7 +105,7 @@ export class Lesson {
   }
   /** What the address says of it. */
   get query() {
-    return `lesson=${this.record.lesson}&step=${this.at + 1}`;
+    return `lesson=${this.record.own ? 'own' : this.record.lesson}&step=${this.at + 1}`;
   }
   /** The part that says what is shown: that of this step, or before. */
   get #scene() {
@@ -213,7 +217,7 @@ export class Lesson {
     const nodes = !open && this.#laid ? elementsOf(this.#after.nodes ?? []) : [];
     this.tail?.replaceChildren(...nodes, ...sums, ...(open ? [] : this.#numbers()));
     this.back.disabled = at === 0;
-    this.onwards.hidden = last;
+    this.page.root.classList.toggle('last-step', last); // which has other ways to go on
     this.onwards.textContent = text(open ? 'lesson.skip' : 'lesson.next');
     this.onwards.classList.toggle('ready', !open);
     this.bar.show();
@@ -237,7 +241,7 @@ export class Lesson {
     this.rows = !chart && this.#shown.some((name) => BELOW.includes(name));
     const { root } = page;
     root.classList.toggle('sketching', Boolean(chart));
-    if (chart && !chart.isConnected) root.append(chart);
+    if (chart && !chart.isConnected) this.root.after(chart); // Tab goes on to it
     if (!chart) question?.chart?.remove();
     page.opening.section.guess = this.#guess();
     const slider = Object.keys(question?.choices ?? {});

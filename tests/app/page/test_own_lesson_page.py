@@ -1,0 +1,129 @@
+"""Where lessons are found: at the end of one, in the gallery with one's own progress, and in files of one's own."""
+
+import json
+
+from playwright.sync_api import expect
+
+from app.lessons.record import lesson_record
+from app.lessons.shipped import FOLDER, shipped_lesson
+
+from .test_access_page import findings
+from .test_lesson_page import LATE, LESSON, answered_choice, button, drawn, onwards, ready
+
+
+def listed(page):
+    page.tab.keyboard.press("g")
+    dialog = page.tab.get_by_role("dialog", name="Scenes and lessons")
+    expect(dialog).to_be_visible()
+    return dialog
+
+
+def test_the_last_step_leads_to_all_lessons_and_they_say_how_far_one_has_come(open_page):
+    page = open_page(LESSON, size=(390, 844))
+    ready(page)
+    answered_choice(page)
+    onwards(page)
+    page.tab.goto(f"http://{page.address}/?lesson=what-an-impact-is&step=6")
+    page.laid_out()
+    ready(page)
+    expect(page.tab.get_by_role("link", name="Next lesson: A mass strikes a rod →")).to_be_in_viewport()
+    button(page, "All lessons").click()
+    cards = page.tab.locator(".lesson-cards a")
+    expect(cards.first).to_be_in_viewport()
+    assert cards.evaluate_all("all => all.map((each) => new URL(each.href).search)") == [
+        "?lesson=what-an-impact-is",
+        "?lesson=bounce-twice",
+    ]
+    expect(cards.nth(0)).to_contain_text("step 6 of 6")
+    expect(cards.nth(1).locator("strong")).to_have_text("Why does it bounce twice?")  # its first question is answered
+    expect(cards.nth(1)).to_contain_text("step 2 of 6")
+    page.tab.keyboard.press("Space")  # goes to the search, and not to the clock
+    assert page.evaluate("() => strikewave.page.player.playing") is False
+    assert findings(page) == []
+    page.tab.get_by_role("searchbox").fill("rod")
+    expect(cards.nth(0)).to_be_hidden()
+    page.tab.locator(".card[data-scene=free-rod]").click()  # a scene leads out of the lesson
+    page.tab.wait_for_url("**scene=free-rod*")
+
+
+def dropped(page, text: str, name: str = "mine.md") -> None:
+    page.tab.evaluate(
+        """([name, text]) => {
+          const data = new DataTransfer();
+          data.items.add(new File([text], name));
+          document.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+        }""",
+        [name, text],
+    )
+
+
+def test_a_lesson_file_that_is_dropped_runs_and_stays_in_its_tab(open_page):
+    page = open_page("?scene=free-rod")
+    text = (FOLDER / "bounce-twice.md").read_text("utf-8").replace("What comes next?", "And now?")
+    dropped(page, text.replace("mass_ratio = 0.8", "mass_ratio = -1"))
+    expect(page.tab.locator(".lesson-file h3")).to_have_text("mine.md: 2 errors")
+    expect(page.tab.locator(".problems li").first).to_contain_text("a number from 0.001 to 1000")
+    expect(page.tab.locator(".problems li code").first).to_have_text("changes = { mass_ratio = -1 }")
+    assert findings(page) == []
+    page.tab.keyboard.press("Escape")
+    assert page.header("chosen")["scene"] == "free-rod"
+    listed(page).locator(".lessons input[type=file]").set_input_files(
+        {"name": "mine.md", "mimeType": "text/markdown", "buffer": text.encode()}
+    )
+    page.tab.wait_for_url("**/?lesson=own*")
+    page.laid_out()
+    ready(page)
+    heading = page.tab.get_by_role("heading", name="They have parted. And now?")
+    expect(heading).to_be_visible()
+    answered_choice(page)
+    onwards(page)
+    assert page.tab.url.endswith("?lesson=own&step=2")
+    page.tab.reload()
+    page.laid_out()
+    ready(page)
+    button(page, "Back").click()
+    ready(page)
+    expect(heading).to_be_visible()
+    expect(page.tab.locator(".lesson-said")).to_contain_text("It is so")  # and answers to it stay
+    page.tab.goto(f"http://{page.address}/{LESSON}")
+    page.laid_out()
+    ready(page)
+    expect(page.tab.get_by_label("A second contact")).not_to_be_checked()  # another lesson, though of the same name
+    page.evaluate("() => sessionStorage.clear()")
+    page.tab.goto(f"http://{page.address}/?lesson=own&step=2")
+    expect(page.tab.locator(".toast")).to_contain_text("The lesson file is not in this tab any more")
+    expect(page.tab.locator(".ask h2")).to_be_visible()
+
+
+def test_a_file_that_is_no_lesson_is_refused_and_nothing_is_lost(open_page):
+    page = open_page("?lesson=bounce-twice&step=2")
+    ready(page)
+    drawn(page, LATE)
+    status = page.tab.locator(".lesson-file [role=status]")
+    dropped(page, "a" * 200_001)
+    expect(status).to_have_text("This file has 201 kB; allowed: a lesson of up to 200 kB.")
+    dropped(page, (FOLDER / "bounce-twice.es.md").read_text("utf-8"))
+    expect(page.tab.locator(".problems")).to_contain_text("this file has the sentences of a translation alone")
+    page.tab.route("**/lesson", lambda route: route.abort())
+    dropped(page, "---")
+    expect(status).to_have_text("The file could not be sent: the server is busy, or gone. Try again in a minute.")
+    page.tab.keyboard.press("Escape")
+    expect(button(page, "Show what happens")).to_be_enabled()
+    page.errors.clear()  # the browser notes that nothing was sent
+
+
+def test_scenes_that_were_not_tried_are_said_once(open_page):
+    page = open_page("")
+    record = json.dumps(lesson_record(shipped_lesson("bounce-twice")))
+    kept = (
+        f"() => sessionStorage.setItem('strikewave.own-lesson', JSON.stringify({{ lesson: {record}, whole: false }}))"
+    )
+    page.evaluate(kept)
+    page.tab.goto(f"http://{page.address}/?lesson=own")
+    page.laid_out()
+    ready(page)
+    expect(page.tab.locator(".toast")).to_contain_text("Not all scenes of this lesson were tried")
+    page.tab.reload()
+    page.laid_out()
+    ready(page)
+    expect(page.tab.locator(".toast")).to_be_hidden()
