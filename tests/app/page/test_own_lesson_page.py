@@ -1,6 +1,7 @@
 """Where lessons are found: at the end of one, in the gallery with one's own progress, and in files of one's own."""
 
 import json
+import re
 
 from playwright.sync_api import expect
 
@@ -9,6 +10,8 @@ from app.lessons.shipped import FOLDER, shipped_lesson
 
 from .test_access_page import findings
 from .test_lesson_page import LATE, LESSON, answered_choice, button, drawn, onwards, ready
+
+ANSWER = "() => strikewave.page.opening.teaching.lesson.progress.answers"
 
 
 def listed(page):
@@ -127,3 +130,59 @@ def test_scenes_that_were_not_tried_are_said_once(open_page):
     page.laid_out()
     ready(page)
     expect(page.tab.locator(".toast")).to_be_hidden()
+
+
+def test_a_question_is_tried_again_and_the_first_answer_stays(open_page):
+    page = open_page(LESSON, size=(390, 844))
+    ready(page)
+    page.tab.get_by_label("No more contact").check()
+    button(page, "Show what happens").click()
+    button(page, "Try again").click()
+    page.tab.get_by_label("A second contact").check()
+    button(page, "Show what happens").click()
+    expect(page.tab.locator(".lesson-choice")).to_contain_text("2 tries")
+    expect(page.tab.locator(".lesson-said")).to_contain_text("It is so")
+    assert page.evaluate(ANSWER)["next"] == {"picked": 0, "done": True, "more": 1}
+    page.tab.goto(f"http://{page.address}/{LESSON}&step=4")
+    page.laid_out()
+    ready(page)
+    number = page.tab.get_by_label("Your number")
+    for written in ("58", "116.4"):
+        number.fill(f"{written} µs")
+        button(page, "Check").click()
+        expect(page.tab.locator(".lesson-said")).to_be_in_viewport()
+    button(page, "Try again").click()
+    number.fill("1164 µs")
+    button(page, "Check").click()
+    expect(page.tab.locator(".lesson-said")).to_contain_text("but not the unit")
+    assert page.evaluate(ANSWER)["back"]["first"] == {"written": "58 µs", "unit": "µs", "said": 0, "done": False}
+    onwards(page)
+    button(page, "Check").click()
+    expect(page.tab.locator(".lesson-said")).to_be_in_viewport(ratio=1)  # below all lines of the order
+    onwards(page, "Skip →")
+    sums = page.tab.locator(".lesson-sum")
+    expect(sums.nth(0)).to_contain_text("No more contact")
+    expect(sums.nth(0)).to_contain_text("there is still a wave in the rod")
+    expect(sums.nth(0)).to_contain_text("2 tries")
+    expect(sums.nth(3)).to_contain_text("58 µs")
+    expect(sums.nth(3)).to_contain_text("It has the same way back")
+    expect(sums.nth(3)).to_contain_text("3 tries")
+    expect(sums.nth(4)).to_contain_text("not answered")
+
+
+def test_the_chart_says_what_is_on_it_and_keys_come_to_it_before_the_ways_on(open_page):
+    page = open_page(f"{LESSON}&step=2", size=(390, 844))
+    ready(page)
+    expect(page.tab.locator(".lesson-name")).to_be_visible()
+    plot = page.tab.locator(".sketch-plot")
+    expect(plot).to_have_attribute("aria-label", re.compile("^An empty chart to draw on: Contact force, kN, until"))
+    page.tab.locator(".lesson h2").focus()
+    focused = []
+    for _ in range(5):
+        page.tab.keyboard.press("Tab")
+        focused.append(page.evaluate("() => strikewave.page.root.getRootNode().activeElement.className"))
+    assert focused[3] == "sketch-plot"  # behind Undo, Clear and Type points
+    drawn(page, LATE)
+    expect(plot).to_have_attribute("aria-label", re.compile("^A chart with your line on it: .* Arrow right goes on"))
+    button(page, "Show what happens").click()
+    expect(plot).to_have_attribute("aria-label", re.compile(r"^Your line and what happens: Contact force, kN, .*T\.$"))
