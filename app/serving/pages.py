@@ -52,6 +52,7 @@ LATE = {
     "gallery/gallery.css",
     "courses/courses.css",
     "lesson/lesson.css",
+    "lesson/print.css",
     "lesson/questions.css",
     "wasm/kernels.wasm",
 }

@@ -12,6 +12,8 @@ const KEYS = [
   'undo',
   'redo',
   'slider',
+  'steps',
+  'freeze',
   'zoom',
   'gallery',
   'help',

@@ -71,7 +71,9 @@ export function listenToKeys(page) {
     if (page.help.key(event, taken(event))) return;
     if (page.opening.teaching.on) {
       if (page.scenes.searched !== null) return;
-      if (!taken(event) && !event.ctrlKey && !event.metaKey && page.player.key(event)) event.preventDefault();
+      const projector = page.opening.teaching.lesson?.bar.projector;
+      const bare = !taken(event) && !event.ctrlKey && !event.metaKey;
+      if (bare && (projector?.key(event) || page.player.key(event))) event.preventDefault();
       return; // all else would lead out of the lesson
     }
     if (page.scenes.key(event, taken(event))) return;

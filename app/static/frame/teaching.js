@@ -7,7 +7,7 @@ import { text } from '../text/catalogue.js';
 /** @import { Page } from '../page.js' */
 /** @typedef {import('../lesson/lesson.js').Lesson} Lesson */
 
-const SHEETS = ['lesson.css', 'questions.css'];
+const SHEETS = ['lesson.css', 'questions.css', 'print.css'];
 const NAME = /^[a-z0-9-]{1,60}$/;
 const OWN = 'own'; // what an address calls the lesson of a file, which the tab keeps
 const KEPT = 'own-lesson'; // as app/static/courses/own_file.js keeps it

@@ -9,6 +9,8 @@ import { Bar } from './bar.js';
 import { endingOf } from './ending.js';
 import { eventsOf, timeOf } from './events.js';
 import { elementsOf } from './nodes.js';
+import { KEY } from './print.js';
+import { PROJECTOR } from './projector.js';
 import { asks, questionOf } from './questions.js';
 import { Sketch } from './sketch.js';
 import { summaryOf } from './summary.js';
@@ -43,6 +45,7 @@ import { summaryOf } from './summary.js';
 const BELOW = ['rod', 'force']; // what the rows show
 const AT_FIRST = ['bodies'];
 const NUMBERS = 'numbers';
+const FLAGS = [KEY, PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
 export class Lesson {
@@ -51,6 +54,7 @@ export class Lesson {
   coming = false; // the scene of this step is still to come
   /** @type {Events} */ events = {};
   rows = false; // whether they are seen below the picture
+  flags = FLAGS; // of the address
 
   /**
    * @param {Page} page
@@ -99,13 +103,14 @@ export class Lesson {
     for (const { stage } of Object.values(this.page.views)) if ('striker' in stage) stage.striker = null; // no hand
     root.querySelector('.topbar h1')?.after(this.bar.root);
     root.append(this.root, this.moves);
+    if (this.flags.includes(PROJECTOR)) this.bar.projector.turn(true);
   }
   get step() {
     return this.record.steps[this.at];
   }
   /** What the address says of it. */
   get query() {
-    return `lesson=${this.record.own ? 'own' : this.record.lesson}&step=${this.at + 1}`;
+    return `lesson=${this.record.own ? 'own' : this.record.lesson}&step=${this.at + 1}${this.bar.said}`;
   }
   /** The part that says what is shown: that of this step, or before. */
   get #scene() {

@@ -297,7 +297,7 @@ def test_lessons_are_fetched_where_one_is_asked_for_and_listed_in_the_gallery(op
     assert not [address for address in fetched if "lesson" in address]
     link.click()
     ready(page)
-    assert len([address for address in fetched if "lesson" in address.split("?")[0]]) == 4  # script, styles, sentences
+    assert len([address for address in fetched if "lesson" in address.split("?")[0]]) == 5  # script, styles, sentences
 
 
 def test_back_leads_from_a_lesson_to_where_one_was(open_page):

@@ -186,3 +186,48 @@ def test_the_chart_says_what_is_on_it_and_keys_come_to_it_before_the_ways_on(ope
     expect(plot).to_have_attribute("aria-label", re.compile("^A chart with your line on it: .* Arrow right goes on"))
     button(page, "Show what happens").click()
     expect(plot).to_have_attribute("aria-label", re.compile(r"^Your line and what happens: Contact force, kN, .*T\.$"))
+
+
+def test_a_lesson_on_paper_has_all_steps_and_no_answer_but_in_the_key(open_page):
+    page = open_page(LESSON)
+    ready(page)
+    page.evaluate("() => (window.print = () => (window.printed = true))")
+    button(page, "Print").click()
+    page.tab.locator(".lesson-printing .lesson-main").click()
+    page.wait("() => window.printed")
+    ready(page)
+    page.tab.emulate_media(media="print")
+    paper = page.tab.locator(".lesson-print")
+    parts = [paper.locator(each).count() for each in ("h2", ".print-still", ".print-chart", ".print-box")]
+    said, bar = paper.inner_text(), page.tab.locator(".topbar").is_visible()
+    page.tab.emulate_media(media="screen")
+    assert parts == [5, 5, 1, 3 + 6] and not bar
+    assert "How long does the front take?" in said
+    assert not re.search(r"116|It is so|bounce twice|In your line|All in order|One contact\.", said), said
+    assert page.evaluate("() => strikewave.page.opening.teaching.lesson.progress.far") == 0  # nothing was looked at
+    button(page, "Print").click()
+    page.tab.get_by_label("With a key for the teacher").check()
+    page.tab.locator(".lesson-printing .lesson-main").click()
+    ready(page)
+    page.tab.emulate_media(media="print")
+    key = page.tab.locator(".print-key").inner_text()
+    page.tab.emulate_media(media="screen")  # for who has this window next
+    assert "116.4" in key and "A second contact" in key
+
+
+def test_keys_of_a_presenter_walk_through_a_lesson_before_a_class(open_page):
+    page = open_page(f"{LESSON}&projector")
+    ready(page)
+    step = "() => strikewave.page.opening.teaching.lesson.at"
+    for key, at in (("ArrowRight", 1), ("PageDown", 2), ("ArrowLeft", 1), ("PageUp", 0)):
+        page.tab.keyboard.press(key)
+        ready(page)
+        assert page.evaluate(step) == at
+    assert page.tab.url.endswith("?lesson=bounce-twice&step=1&projector")
+    page.evaluate("() => { const { player } = strikewave.page; player.go(0); player.toggle(); }")
+    page.tab.keyboard.press("f")
+    assert page.evaluate("() => strikewave.page.player.playing") is False
+    page.tab.get_by_role("button", name="Large, for a projector").click()
+    page.tab.keyboard.press("ArrowRight")
+    assert page.evaluate(step) == 0
+    page.tab.wait_for_url("**/?lesson=bounce-twice&step=1")
