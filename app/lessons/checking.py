@@ -1,15 +1,17 @@
 """Whether a lesson holds in its scenes, which are solved: events happen, goals are met, exact curves judged right."""
 
 import math
+import time
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import param
 
 from solvers import SceneError, Solution
+from solvers.jit.compiling import NotCompiled
 
 from ..choices.choices import Choices
 from .events import times_of
@@ -43,38 +45,66 @@ def check(path: Path) -> Checked:
     return Checked(found.lesson, tuple(sorted(problems, key=lambda each: each.line)), found.lesson.missing)
 
 
+def tried(found: Read, seconds: float) -> tuple[Problems, bool]:
+    """What is wrong in the scenes of a lesson, and whether all of it was tried within so many seconds of computing.
+
+    Where kernels may not be compiled, steps that need others are not tried.
+    """
+    done = _Check(found, seconds)
+    return done.problems, done.whole
+
+
+class _Over(Exception):
+    """The time is over."""
+
+
 class _Check:
     """Of one lesson; steps that show the same are solved once."""
 
-    def __init__(self, read: Read):
-        self.problems = Problems()
+    def __init__(self, read: Read, seconds: float = math.inf):
+        self.problems, self.whole = Problems(), True
         self.known: dict[str, Shown | None] = {}
+        self.ends = time.process_time() + seconds
         for number, step in enumerate(read.lesson.steps):
-            shown = self._solved(step)
-            if shown is None:
-                continue
-            times = times_of(shown.solution)
-            for use in read.uses:
-                if use.step == number and use.event not in times:
-                    names = [name for name in times if name != "second" and name[-1] not in "3456789"]
-                    self.problems.add(use.line, "event-missing", key=use.key, value=use.event, names=names)
-            for part in step.parts:
-                self._spans(part, times)
-                if isinstance(part, Scene):
-                    self._scene(part, step)
-                if isinstance(part, Sketch):
-                    self._sketch(part, shown.solution, times)
-                if isinstance(part, Order):
-                    self._order(part, times)
-                if isinstance(part, Set):
-                    self._goal(part, step)
+            try:
+                self._step(number, step, read)
+            except NotCompiled:
+                self.whole = False
+            except _Over:
+                self.whole = False
+                return
+
+    def _step(self, number: int, step: Step, read: Read) -> None:
+        shown = self._solved(step)
+        if shown is None:
+            return
+        times = times_of(shown.solution)
+        for use in read.uses:
+            if use.step == number and use.event not in times:
+                names = [name for name in times if name != "second" and name[-1] not in "3456789"]
+                self.problems.add(use.line, "event-missing", key=use.key, value=use.event, names=names)
+        for part in step.parts:
+            self._spans(part, times)
+            if isinstance(part, Scene):
+                self._scene(part, step)
+            if isinstance(part, Sketch):
+                self._sketch(part, shown.solution, times)
+            if isinstance(part, Order):
+                self._order(part, times)
+            if isinstance(part, Set):
+                self._goal(part, step)
+
+    def _now(self, step: Step, **changes: Any) -> Shown:
+        if time.process_time() > self.ends:
+            raise _Over
+        return solved(step, **changes)
 
     def _solved(self, step: Step) -> Shown | None:
         shown = repr((step.scene, sorted(step.choices.items())))
         if shown not in self.known:
             self.known[shown] = None
             try:
-                self.known[shown] = solved(step)
+                self.known[shown] = self._now(step)
             except ValueError as error:
                 code = "scene-unsolved" if isinstance(error, SceneError) else "scene-refused"
                 self.problems.add(step.line, code, why=" ".join(str(error).split())[:300])
@@ -142,7 +172,7 @@ class _Check:
         for place in places:
             value = round(place) if isinstance(Choices.param[part.slider], param.Integer) else place
             try:
-                if meets(solved(step, **{part.slider: value}), part.goal):
+                if meets(self._now(step, **{part.slider: value}), part.goal):
                     return True
             except ValueError:
                 continue

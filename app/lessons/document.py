@@ -77,12 +77,20 @@ def text_of(path: Path) -> str:
         if len(given) > LARGEST:
             problems.add(1, "too-large", size=-(-path.stat().st_size // 1000), most=LARGEST // 1000)
             raise LessonError(problems)
-        return given.decode("utf-8-sig")
+        return decoded(given)
     except OSError as error:
         problems.add(1, "no-file", why=error.strerror or type(error).__name__)
-    except UnicodeDecodeError as error:
-        problems.add(given[: error.start].count(b"\n") + 1, "not-text")
     raise LessonError(problems)
+
+
+def decoded(given: bytes) -> str:
+    """The text of a file. Raises LessonError where it is none."""
+    try:
+        return given.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        problems = Problems()
+        problems.add(given[: error.start].count(b"\n") + 1, "not-text")
+        raise LessonError(problems) from None
 
 
 def document_of(text: str, problems: Problems) -> Document:
@@ -176,7 +184,7 @@ def _fence(token: Token, lines: list[str], problems: Problems) -> Block | None:
     inside = [n for n, each in enumerate(lines[start + 1 : end - 1], start + 2) if each.startswith(":::")]
     closed = end - 1 > start and set(lines[end - 1].strip()) == {":"} and len(lines[end - 1].strip()) >= 3
     if inside or not closed:
-        problems.add(line, "fence-unclosed", fence=said, marker=token.markup)
+        problems.add(line, "fence-unclosed", fence=said, marker=token.markup[:60])
         return None
     matched = FENCE.fullmatch(token.info.strip())
     kind = matched or KIND.match(token.info.strip())

@@ -58,6 +58,9 @@ def read_text(text: str, folder: Path | None = None) -> Read:
 def _with_original(given: Document, folder: Path | None, problems: Problems) -> tuple[Document, list[str]]:
     """A translation, and what it lacks. Raises LessonError where its original cannot be taken."""
     name, line = given.head["translates"]
+    if folder is None:
+        problems.add(line, "translation-alone", value=name[:60])
+        raise LessonError(problems)
     text = original_of(name, line, folder, problems)
     if text is None:
         raise LessonError(problems)

@@ -28,6 +28,23 @@ def shipped_lesson(name: str, language: str = SOURCE) -> Lesson:
     return read(translated if translated in lesson_files() else FOLDER / f"{name}.md")
 
 
+def in_order(given: list[Lesson]) -> list[Lesson]:
+    """Each with those behind it that follow by `next`; the longest such course first, courses of a length by name."""
+    by_name = {each.lesson: each for each in given}
+    following = {each.next for each in given if each.next != each.lesson}
+
+    def course(name: str) -> list[str]:
+        found: list[str] = []
+        while name in by_name and name not in found:
+            found.append(name)
+            name = by_name[name].next
+        return found
+
+    courses = sorted((course(name) for name in by_name if name not in following), key=lambda each: (-len(each), each))
+    names = dict.fromkeys(name for each in courses for name in each)
+    return [by_name[name] for name in (*names, *(name for name in by_name if name not in names))]
+
+
 def template(name: str) -> str:
     """The text of a lesson to begin with, under this name."""
     first, _, rest = (Path(__file__).parent / "template.md").read_text(encoding="utf-8").split("\n", 2)

@@ -14,9 +14,9 @@ OF_HEAD = ("title", "title-before", "for", "next-title")  # which a translation 
 SAME = ("lesson", "version")  # which it repeats
 
 
-def original_of(name: str, line: int, folder: Path | None, problems: Problems) -> str | None:
+def original_of(name: str, line: int, folder: Path, problems: Problems) -> str | None:
     """The text of the file that a translation names, which must be in the same folder."""
-    if folder is None or Path(name).name != name or not name.endswith(".md") or "\0" in name:
+    if Path(name).name != name or not name.endswith(".md") or "\0" in name:
         with problems.refused(line):
             raise SceneError("translates", name, wanted("file-name", example="bounce-twice.md"))
         return None

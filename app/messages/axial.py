@@ -81,12 +81,7 @@ def axial_frame(request: Request) -> bytes:
         "trip": trip,
         "duration": exact.duration / trip,
         "rods": rods,
-        "impactor": {
-            "kind": scene.impactor.kind,
-            "mass": min(scene.impactor.mass, LARGEST_MASS),
-            "radius": getattr(scene.impactor, "radius", None),
-        }
-        | pendulum_fields(scene.impactor),
+        "impactor": _impactor(scene),
         "target": _target(scene),
         "speed": scene.speed,
         "forceUnit": force_unit,
@@ -112,6 +107,17 @@ def axial_frame(request: Request) -> bytes:
         "cushions": [] if scene.prescribed_force else cushions(scene),
     } | fall
     return packed(header, arrays)
+
+
+def _impactor(scene: Scene) -> dict[str, Any]:
+    """What it is drawn by."""
+    impactor = scene.impactor
+    own = {
+        "kind": impactor.kind,
+        "mass": min(impactor.mass, LARGEST_MASS),
+        "radius": getattr(impactor, "radius", None),
+    }
+    return own | pendulum_fields(impactor)
 
 
 def _head(scene: Scene, exact: Solution, other: Solution | None) -> str:

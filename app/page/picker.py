@@ -11,7 +11,7 @@ from solvers.text.notes import Note
 from ..choices.beam import on_beam
 from ..choices.choices import SCENES
 from ..choices.space import in_space
-from ..lessons.shipped import lesson_names, shipped_lesson
+from ..lessons.shipped import in_order, lesson_names, shipped_lesson
 from ..messages.gallery.cards import CARDS, stored_pictures
 from ..messages.gallery.drawn import HEIGHT, SHADES, WIDTH
 from ..text.refusals import note
@@ -27,7 +27,7 @@ def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
 
 def gallery(language: str = SOURCE) -> dict[str, Any]:
     """What the browser makes the gallery of: cards by group, their pictures, all scenes by heading, each as
-    [name, title, what else it is found by], and lessons, each as [name, title] in this language.
+    [name, title, what else it is found by], and lessons in this language.
     """
     scenes = [
         [heading, [[name, title, _found_by(SCENES[name])] for name, title in listed]]
@@ -39,12 +39,18 @@ def gallery(language: str = SOURCE) -> dict[str, Any]:
     return {"cards": cards, "sheet": sheet, "pictures": pictures, "scenes": scenes, "lessons": lessons(language)}
 
 
-def lessons(language: str) -> list[list[str]]:
-    """Those that come with the program, by titles that give no answer away."""
-    found = [shipped_lesson(name, language) for name in lesson_names()]
-    following = {lesson.next for lesson in found}
-    ordered = sorted(found, key=lambda lesson: lesson.lesson in following)
-    return [[lesson.lesson, lesson.title_before or lesson.title] for lesson in ordered]
+def lessons(language: str) -> list[dict[str, Any]]:
+    """Those that come with the program, as they follow each other, in this language if there is a translation;
+    `before`: the title until the first answer, `audience`: for whom it is.
+    """
+    return [
+        {
+            "name": lesson.lesson, "scene": lesson.scene, "steps": len(lesson.steps), "minutes": lesson.minutes,
+            "language": lesson.language, "title": lesson.title, "before": lesson.title_before,
+            "audience": lesson.audience,
+        }
+        for lesson in in_order([shipped_lesson(name, language) for name in lesson_names()])
+    ]  # fmt: skip
 
 
 def _found_by(scene: Scene) -> dict[str, Any]:

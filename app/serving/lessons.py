@@ -1,16 +1,27 @@
-"""Lessons for the page: each as JSON, in the language of who asks if there is a translation."""
+"""Lessons for the page as JSON: those of the program, in the language of who asks, and those that are sent to it."""
 
+import asyncio
 import json
+from collections.abc import Callable
 from functools import cache
 
 from tornado.web import HTTPError, RequestHandler
 
 from solvers.text.catalogue import SOURCE
 
+from ..jobs.fair import Stranger
+from ..jobs.loops import of_loop
+from ..jobs.workers import GivenUp, Job, Workers
+from ..lessons.document import LARGEST
+from ..lessons.own import TRY_SECONDS, read_own, try_own
 from ..lessons.record import lesson_record
 from ..lessons.shipped import lesson_files, shipped_lesson
+from ..text.refusals import Refused
 from .language import language_of
+from .uploads import Upload
 
+READ_SECONDS = 5.0  # of computing for a text; the worst that is known take 1.5 s
+ONE_SOLVE = 2.0  # s of computing of the last solve, which may begin before the time for all of them is over
 LANGUAGES = {SOURCE} | {path.name.split(".")[1] for path in lesson_files() if path.name.count(".") == 2}
 
 
@@ -35,3 +46,42 @@ class Lesson(RequestHandler):
             raise HTTPError(404) from None
 
     head = get  # of which no body is sent
+
+
+class OwnLesson(Upload):
+    """A lesson of the visitor's own: read, its scenes tried for a while, and answered by the page's record of it, or by
+    all that is wrong, by line. A visitor who leaves, or sends another one, ends it.
+    """
+
+    _job: Job | None = None
+
+    def limit(self, size: int) -> None:
+        if size > LARGEST:
+            raise Refused("serving.lesson.large", size=-(-size // 1000), most=LARGEST // 1000)
+
+    async def answered(self, content: bytes) -> str:
+        language = language_of(self.request)
+        try:
+            found = await self._done(read_own, content, language, READ_SECONDS)
+        except GivenUp:
+            raise Refused("serving.lesson.slow", seconds=READ_SECONDS) from None
+        if not found.startswith('{"lesson":'):
+            return found
+        try:
+            tried = await self._done(try_own, content, language, TRY_SECONDS + ONE_SOLVE)
+        except GivenUp:
+            tried = '{"whole":false}'
+        return tried if "problems" in json.loads(tried) else f"{found[:-1]},{tried[1:]}"
+
+    async def _done(self, work: Callable, content: bytes, language: str, seconds: float) -> str:
+        who = Stranger("lessons", self.address)
+        self._job = of_loop(Workers).start(work, content, language, visitor=who, seconds=seconds)
+        try:
+            return await self._job.answer
+        except asyncio.CancelledError:  # nobody waits for it
+            return "{}"
+
+    def on_connection_close(self) -> None:
+        super().on_connection_close()
+        if self._job is not None:
+            self._job.answer.cancel()

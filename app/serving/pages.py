@@ -39,6 +39,7 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
 ENTRY = "page.js"  # stands for all modules but those of these, which are fetched when they are wanted
 APART = {  # and what has been fetched before, beside all those
     "gallery/gallery.js": (),
+    "courses/courses.js": (),
     "lesson/lesson.js": (),
     "classes/classes.js": ("lesson/lesson.js",),
     "take/files.js": (),
@@ -55,8 +56,16 @@ FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the addres
 PACKED = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".wasm": "application/wasm"}
 OF_THE_DOCUMENT = {"frame/page.css", "browser/modules.js", "browser/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"frame/embedded.css"}  # which a laboratory there loads beside
-LATE_SHEETS = {"gallery/gallery.css", "lesson/lesson.css", "lesson/questions.css", "classes/classes.css"}
-LATE = {*APART, *LATE_SHEETS, "wasm/kernels.wasm"}
+LATE = {
+    *APART,
+    "gallery/gallery.css",
+    "courses/courses.css",
+    "classes/classes.css",
+    "lesson/lesson.css",
+    "lesson/print.css",
+    "lesson/questions.css",
+    "wasm/kernels.wasm",
+}
 FILES = {ENTRY, SHEETS, "example-record.csv", *OF_THE_DOCUMENT, *OF_ANOTHER_PAGE, *LATE}
 POLICY = (
     "default-src 'none'; script-src 'self' blob: 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "

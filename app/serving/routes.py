@@ -2,7 +2,7 @@
 
 import re
 
-from .lessons import Lesson
+from .lessons import Lesson, OwnLesson
 from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Gallery, Library, Texts
 from .uploads import MeasuredRecord
 
@@ -13,6 +13,7 @@ def routes() -> list[tuple]:
         (r"/liveness", Alive),
         (r"/record", MeasuredRecord),
         (r"/gallery/([a-zA-Z-]+)", Gallery),
+        (r"/lesson", OwnLesson),
         (r"/lessons/([a-z0-9-]{1,60})", Lesson),
         (r"/figures/([a-zA-Z-]+)/([a-z-]+)", Figure),
         (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),

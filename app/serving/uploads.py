@@ -1,6 +1,6 @@
-"""Measured records sent by the browser: received, compared with the chosen scene, answered as JSON.
+"""Files sent by the browser: received, worked on, answered as JSON; such as measured records, compared with the scene.
 
-One request is one record and one answer; nothing is kept. Where they are more bytes than may be, the largest of the
+One request is one file and one answer; nothing is kept. Where they are more bytes than may be, the largest of the
 address with most of them makes room: whoever sends slowly keeps nobody out, and holds nothing that anybody needs.
 """
 
@@ -24,23 +24,31 @@ from ..text.refusals import note, reason_of
 from ..views.record import record_answer
 from .addresses import Addresses, host_of
 
-MAX_HELD = 64_000_000  # bytes of all records that are on their way, or being compared
-COMPARED_OF_ONE = 6  # records of one address being compared, or waiting for it; addresses take turns
-RECEIVE_SECONDS = 20.0  # for a record to arrive
-MAX_PASSED_BY = 12_000_000  # bytes that are read of a record that is too long: a browser listens when it has sent all
+MAX_HELD = 64_000_000  # bytes of all files that are on their way, or being worked on
+WORKED_ON_OF_ONE = 6  # files of one address being worked on, or waiting for it; addresses take turns
+RECEIVE_SECONDS = 20.0  # for a file to arrive
+MAX_PASSED_BY = 12_000_000  # bytes that are read of a file that is too long: a browser listens when it has sent all
 PEERS = Addresses()  # where the application is another's, and names no proxies
 log = logging.getLogger("strikewave")
 
 
 @stream_request_body
-class MeasuredRecord(RequestHandler):
-    """POST with the file as body; in the query the choices, `kind`, `at` [m] and `sign`."""
+class Upload(RequestHandler):
+    """POST with a file as body."""
 
-    _held: ClassVar[dict["MeasuredRecord", int]] = {}  # bytes, of all visitors together
-    _comparing: ClassVar[set["MeasuredRecord"]] = set()
+    _held: ClassVar[dict["Upload", int]] = {}  # bytes, of all visitors together
+    _working: ClassVar[set["Upload"]] = set()
 
     def initialize(self) -> None:
         self.address = self.application.settings.get("addresses", PEERS).of(self.request)
+
+    def limit(self, size: int) -> None:
+        """Raises ValueError for a size [bytes] that is too large."""
+        raise NotImplementedError
+
+    async def answered(self, content: bytes) -> str:
+        """JSON. Raises ValueError for what cannot be."""
+        raise NotImplementedError
 
     def prepare(self):
         self._body, self._refusal = bytearray(), None
@@ -52,7 +60,7 @@ class MeasuredRecord(RequestHandler):
         self.request.connection.set_max_body_size(MAX_PASSED_BY)
         origin = host_of(self.request.headers.get("Origin", ""))
         if not origin or not check_allowlist(origin, self.application.websocket_origins):
-            self._refusal = 403, note("serving.record.own-page").table()
+            self._refusal = 403, note("serving.upload.own-page").table()
         else:
             length = self.request.headers.get("Content-Length", "0")
             self._check_size(int(length) if length.isdecimal() and len(length) < 20 else 0)
@@ -68,38 +76,38 @@ class MeasuredRecord(RequestHandler):
 
     def _check_size(self, size: int) -> None:
         try:
-            check_size(size)
-        except SceneError as refusal:
+            self.limit(size)
+        except ValueError as refusal:
             self._refusal = 413, reason_of(refusal)
             self._release()
 
     def _make_room(self) -> None:
-        """Refuse it at once, on its way or being compared."""
+        """Refuse it at once, on its way or being worked on."""
         self._release()
         self.set_header("Connection", "close")
-        self._refuse(429, note("serving.record.many").table())
+        self._refuse(429, note("serving.upload.many").table())
 
     async def post(self):
         if self._finished:  # to make room
             return None
-        of_this = sum(each.address == self.address for each in self._comparing)
-        if self._refusal is None and of_this >= COMPARED_OF_ONE:
-            self._refusal = 429, note("serving.record.others").table()
+        of_this = sum(each.address == self.address for each in self._working)
+        if self._refusal is None and of_this >= WORKED_ON_OF_ONE:
+            self._refusal = 429, note("serving.upload.others").table()
         if self._refusal is not None:
             return self._refuse(*self._refusal)
-        self._comparing.add(self)
+        self._working.add(self)
         try:
-            answer = await _answered(bytes(self._body), self.request.query_arguments, self.address)
+            answer = await self.answered(bytes(self._body))
             if not self._finished:  # to make room, meanwhile
                 self.set_header("Content-Type", "application/json; charset=UTF-8")
                 self.write(answer)
         except ValueError as refusal:  # what cannot be: for the visitor
             self._refuse(400, reason_of(refusal))
         except Exception as error:
-            log.error("a record could not be compared", exc_info=not isinstance(error, Lost))
-            self._refuse(500, note("serving.record.failed").table())
+            log.error("%s: a file could not be worked on", type(self).__name__, exc_info=not isinstance(error, Lost))
+            self._refuse(500, note("serving.upload.failed").table())
         finally:
-            self._comparing.discard(self)
+            self._working.discard(self)
             self._release()
 
     def on_finish(self):
@@ -119,8 +127,18 @@ class MeasuredRecord(RequestHandler):
             self.finish({"error": reason})
 
 
-def first_to_go(held: dict[MeasuredRecord, int]) -> MeasuredRecord:
-    """Of these records and their bytes, the one that makes room for others."""
+class MeasuredRecord(Upload):
+    """In the query the choices, `kind`, `at` [m] and `sign`."""
+
+    def limit(self, size: int) -> None:
+        check_size(size)
+
+    async def answered(self, content: bytes) -> str:
+        return await _answered(content, self.request.query_arguments, self.address)
+
+
+def first_to_go(held: dict[Upload, int]) -> Upload:
+    """Of these files and their bytes, the one that makes room for others."""
     of_address: Counter[str] = Counter()
     for each, size in held.items():
         of_address[each.address] += size

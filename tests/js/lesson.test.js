@@ -1,6 +1,7 @@
 // Lessons: numbers and their mistakes, orders, ranges, lines drawn by keys and points, and times of events.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { clearOf, Paper } from '../../app/static/lesson/drawing.js';
 import { curveOf, eventsOf, lastContact, meets, timeOf } from '../../app/static/lesson/events.js';
 import { rangeOf } from '../../app/static/lesson/goal.js';
 import { Drawn, pointsOf } from '../../app/static/lesson/line.js';
@@ -138,4 +139,20 @@ test('sentences are words with their gaps filled', () => {
     { kind: 'strong', nodes: [{ kind: 'value', text: 'yours' }] },
   ];
   assert.equal(wordsOf(pieces, { yours: '1 T' }), 'at 1 T');
+});
+
+test('a label lies over no line where there is room', () => {
+  const paper = new Paper(400, 300, { until: 2, axis: [0, 100] });
+  const size = [80, 13];
+  const over = ([x, y], lines) => lines.some(([a, b]) => a > x && a < x + 80 && b > y - 13 && b < y);
+  const along = (y) => Array.from({ length: 341 }, (_, k) => [46 + k, y(k)]);
+  const peak = [200, 60];
+  assert.deepEqual(clearOf(paper, peak, size, []), [210, 64]);
+  for (const y of [() => 60, (k) => 20 + k / 2, (k) => 200 - k / 2]) {
+    const found = clearOf(paper, peak, size, along(y));
+    assert.ok(!over(found, along(y)), String(found));
+    assert.ok(found[0] >= paper.left && found[0] + 80 <= paper.left + paper.wide);
+  }
+  const edge = clearOf(paper, [384, 18], size, []); // at the right end and at the top
+  assert.ok(edge[0] + 80 <= 386 && edge[1] - 13 >= paper.top);
 });

@@ -13,6 +13,7 @@ import { MOST_BYTES } from '../wire/own.js';
 const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room
 const LONGER_TITLE = 72; // beyond which it is everywhere
 const FILE = /\.toml$/i;
+const LESSON = /\.(md|markdown)$/i;
 
 /**
  * What a list says of a scene; one of the thesis by its number first.
@@ -69,13 +70,16 @@ export class Scenes {
   async #gallery() {
     const { page } = this;
     this.fetched ??= (async () => {
-      const [module, answer] = await Promise.all([
+      const taught = alone && !carried; // only a page of its own runs lessons, which a server reads
+      const [module, answer, courses] = await Promise.all([
         late('gallery/gallery.js'),
         carried?.gallery ?? fetch(served(`gallery/${language}`)).then((found) => found.json()),
+        taught ? late('courses/courses.js') : null,
       ]);
-      await lateSheet('gallery/gallery.css', page.root);
+      const sheets = ['gallery/gallery.css', ...(taught ? ['courses/courses.css'] : [])];
+      await Promise.all(sheets.map((each) => lateSheet(each, page.root)));
       /** @type {Gallery} */
-      const gallery = new module.Gallery(page, answer);
+      const gallery = new module.Gallery(page, answer, courses?.Courses);
       page.root.append(gallery.root);
       this.gallery = gallery;
       return gallery;
@@ -126,8 +130,10 @@ export class Scenes {
       if (!files.length || event.defaultPrevented) return;
       event.preventDefault();
       const file = [...files].find(({ name }) => FILE.test(name));
-      if (file) this.read(file);
-      else this.page.complain(text('gallery.no-scene'));
+      const lesson = alone && !carried && [...files].find(({ name }) => LESSON.test(name));
+      if (lesson) this.#learn(lesson);
+      else if (file) this.read(file);
+      else this.page.complain(text('gallery.no-scene', { lessons: alone && !carried }));
     };
     place.addEventListener('dragover', over);
     place.addEventListener('drop', drop);
@@ -136,7 +142,11 @@ export class Scenes {
       place.removeEventListener('drop', drop);
     };
   }
-  /** @param {File} file */
+  /** @param {File} file  with a lesson */
+  async #learn(file) {
+    (await this.#gallery())?.courses?.file.open(file);
+  }
+  /** @param {File} file  with a scene */
   async read(file) {
     if (this.page.changes.held.stays('scene')) return;
     if (file.size > MOST_BYTES) this.page.complain(text('gallery.too-long'));

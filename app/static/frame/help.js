@@ -15,6 +15,8 @@ const KEYS = [
   'undo',
   'redo',
   'slider',
+  'steps',
+  'freeze',
   'zoom',
   'gallery',
   'help',

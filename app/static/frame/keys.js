@@ -71,8 +71,9 @@ export function listenToKeys(page) {
     if (page.help.key(event, taken(event))) return;
     const { lesson, on } = page.opening.teaching;
     if (on) {
-      const plays = lesson && !taken(event) && !event.ctrlKey && !event.metaKey;
-      if (plays && page.player.key(event)) event.preventDefault();
+      if (page.scenes.searched !== null) return;
+      const bare = lesson && !taken(event) && !event.ctrlKey && !event.metaKey;
+      if (bare && (lesson.bar.projector?.key(event) || page.player.key(event))) event.preventDefault();
       return; // all else would lead out of the lesson
     }
     if (page.scenes.key(event, taken(event))) return;

@@ -1,6 +1,7 @@
 // A lesson, or the page that reads codes of its class: fetched where the address names one; see the folders of both.
 import { alone, carried, served } from '../browser/home.js';
 import { late, lateSheet } from '../browser/late.js';
+import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
@@ -8,8 +9,10 @@ import { text } from '../text/catalogue.js';
 /** @typedef {import('../lesson/lesson.js').Record_} Record_ */
 /** @typedef {{ name: string, step: number, language: string, reads: boolean }} Asked  `reads`: codes of its class */
 
-const SHEETS = ['lesson.css', 'questions.css'];
+const SHEETS = ['lesson.css', 'questions.css', 'print.css'];
 const NAME = /^[a-z0-9-]{1,60}$/;
+const OWN = 'own'; // what an address calls the lesson of a file, which the tab keeps
+const KEPT = 'own-lesson'; // as app/static/courses/own_file.js keeps it
 
 /**
  * What an address asks for.
@@ -60,20 +63,21 @@ export class Teaching {
   async #open(asked) {
     const { page } = this;
     try {
-      const record = await this.#record(asked);
-      const { Lesson } = await late('lesson/lesson.js');
+      const [record, { Lesson }] = await Promise.all([this.#record(asked), late('lesson/lesson.js')]);
       await Promise.all(SHEETS.map((each) => lateSheet(`lesson/${each}`, page.root)));
       if (asked.reads) await this.#read(record);
       else {
         this.lesson = /** @type {Lesson} */ (new Lesson(page, record));
         this.lesson.open();
         this.lesson.enter(asked.step - 1, false);
+        if (record.untried) page.complain(text('lesson.untried'));
       }
     } catch (error) {
       this.asked = this.lesson = null;
       page.player.bound(Infinity);
       const unknown = error instanceof RangeError;
-      page.complain(text(unknown ? 'lesson.unknown' : 'lesson.lost', { lesson: asked.name.slice(0, 60) }));
+      const why = text(unknown ? 'lesson.unknown' : 'lesson.lost', { lesson: asked.name.slice(0, 60) });
+      page.complain(asked.name === OWN ? text('lesson.own-gone') : why);
       page.layout.place();
       page.tell();
     }
@@ -85,6 +89,7 @@ export class Teaching {
    */
   async #record({ language, name }) {
     if (!NAME.test(name)) throw new RangeError();
+    if (name === OWN) return this.#own();
     const address = served(`lessons/${name}`);
     if (language) address.searchParams.set('language', language);
     const answer = await fetch(address);
@@ -96,5 +101,12 @@ export class Teaching {
     const { Reading } = await late('classes/classes.js'); // which has parts of lessons
     await lateSheet('classes/classes.css', this.page.root);
     new Reading(this.page, record).open();
+  }
+  /** That of a file of the visitor's own; what was not tried of it is said once. */
+  #own() {
+    const { lesson, whole } = kept(KEPT, { lesson: null, whole: true }, true);
+    if (!lesson) throw new RangeError();
+    keep(KEPT, { lesson, whole: true }, true);
+    return Object.assign(lesson, { own: true, untried: !whole });
   }
 }

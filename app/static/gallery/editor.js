@@ -28,7 +28,7 @@ export class Editor {
       { className: 'acts' },
       act(text('gallery.run'), () => this.run(this.field.value)),
     );
-    buttons.append(act(text('gallery.back'), () => this.gallery.edit(false)));
+    buttons.append(act(text('gallery.back'), () => this.gallery.turn()));
     const label = make('label', { htmlFor: id, textContent: text('gallery.editor') });
     this.root = make('div', { className: 'editor', hidden: true }, label, this.field, this.why, buttons);
   }
@@ -44,7 +44,7 @@ export class Editor {
   #fill(toml) {
     this.field.value = toml;
     this.why.textContent = '';
-    this.gallery.edit(true);
+    this.gallery.turn(this.root);
     this.field.focus();
     this.field.setSelectionRange(0, 0);
   }
@@ -56,6 +56,7 @@ export class Editor {
     this.asked = name;
     if (name.length > LONGEST || toml.length > MOST_BYTES) this.refused(text('gallery.too-long'));
     else if (this.page.frame.chosen.scene === name) this.take(this.page.frame);
+    else if (this.page.opening.teaching.on) this.gallery.choose(name);
     else this.page.choose('scene', name);
   }
   /**
@@ -66,7 +67,7 @@ export class Editor {
     if (!this.asked) return false;
     this.asked = '';
     this.gallery.open();
-    this.gallery.edit(true);
+    this.gallery.turn(this.root);
     this.why.textContent = sentence;
     return true;
   }
@@ -78,7 +79,7 @@ export class Editor {
     }
     keepOwn({ name: this.asked, title: title || text('gallery.untitled') });
     this.asked = '';
-    this.gallery.edit(false);
+    this.gallery.turn();
     this.gallery.close();
   }
 }

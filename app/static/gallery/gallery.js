@@ -1,18 +1,18 @@
 // All scenes: some as moving pictures with a question each, all by chapter, those of the visitor's own; and a search.
 import { ownQuestion } from '../opening/question.js';
-import { lessonAt } from '../frame/address.js';
 import { make } from '../browser/dom.js';
-import { alone, carried } from '../browser/home.js';
+import { carried } from '../browser/home.js';
 import { forget, ownScenes } from '../wire/own.js';
 import { family, said, text } from '../text/catalogue.js';
 import { Editor } from './editor.js';
 import { Picture, Running } from './picture.js';
-import { entry, matches } from './search.js';
+import { entry, matches, plain } from './search.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 /** @import { Part, Sheet } from './picture.js' */
+/** @import { Course, Courses } from '../courses/courses.js' */
 /** @import { Entry, Found } from './search.js' */
 
 /**
@@ -20,7 +20,7 @@ import { entry, matches } from './search.js';
  * @property {[group: string, scenes: string[]][]} cards
  * @property {Record<string, Part[]>} pictures
  * @property {Sheet} sheet
- * @property {[name: string, title: string][]} lessons
+ * @property {Course[]} lessons  in their order
  * @property {[heading: Note, scenes: [name: string, title: string, found: Found][]][]} scenes
  */
 /** @typedef {{ entry: Entry, root: HTMLElement, button: HTMLButtonElement }} Choice */
@@ -38,8 +38,9 @@ export class Gallery {
   /**
    * @param {Page} page
    * @param {Listed} listed
+   * @param {typeof Courses | null} [Taught]  nothing where no lesson runs
    */
-  constructor(page, listed) {
+  constructor(page, listed, Taught = null) {
     this.page = page;
     this.editor = new Editor(page, this);
     this.search = make('input', { type: 'search', autocomplete: 'off', placeholder: text('gallery.search-about') });
@@ -51,18 +52,30 @@ export class Gallery {
     this.heading = make('h2', { id: 'gallery', textContent: text('gallery.title'), tabIndex: -1 });
     const head = make('header', { className: 'gallery-head' }, this.heading, this.search, this.count, close);
     this.own = make('section', { className: 'own' });
-    this.lessons = lessonsOf(listed);
-    const parts = [this.lessons, ...this.#cards(listed), ...this.#index(listed)];
-    this.body = make('div', { className: 'gallery-body' }, this.own, ...parts);
+    this.courses = Taught ? this.#courses(Taught, listed) : null;
+    const parts = [this.own, ...this.#cards(listed), ...this.#index(listed)];
+    this.body = make('div', { className: 'gallery-body' }, ...(this.courses ? [this.courses.root] : []), ...parts);
     this.root = make('dialog', { className: 'gallery' }, head, this.body, this.editor.root);
+    if (this.courses) this.root.append(this.courses.file.root);
     this.root.setAttribute('aria-labelledby', 'gallery');
     this.root.onkeydown = (event) => this.#key(event);
     this.root.onclose = () => {
+      this.courses?.file.stop();
       this.running.stopAll();
       page.history.later();
     };
     this.seen = new IntersectionObserver((entries) => this.#see(entries), { root: this.body });
     for (const card of this.pictures.keys()) this.seen.observe(card);
+  }
+  /**
+   * @param {typeof Courses} Taught
+   * @param {Listed} listed
+   */
+  #courses(Taught, { lessons, pictures, sheet }) {
+    const pictureOf = (/** @type {string} */ scene) => (pictures[scene] ? new Picture(pictures[scene], sheet) : null);
+    const finds = (/** @type {string} */ typed, /** @type {string} */ words) =>
+      matches(typed, { scene: '', title: '', number: '', words: plain(words) });
+    return new Taught(this, lessons, pictureOf, finds);
   }
   /** @param {Listed} listed */
   #cards({ cards, pictures, scenes, sheet }) {
@@ -154,26 +167,31 @@ export class Gallery {
     if (this.root.open) return;
     this.search.value = words;
     this.#offer();
-    this.edit(false);
+    this.turn();
     this.root.showModal(); // the browser keeps the focus in it, and gives it back
     this.#find();
     this.#mark();
     this.body.scrollTop = 0;
     for (const picture of this.pictures.values()) picture.draw();
+    this.courses?.draw();
     (this.running.touched ? this.heading : this.search).focus(); // else a keyboard would cover half of it
   }
   close() {
     this.root.close();
   }
-  /** @param {boolean} editing  whether a text is edited in place of the list */
-  edit(editing) {
-    this.editor.root.hidden = !editing;
-    this.body.hidden = this.search.hidden = this.count.hidden = editing;
-    this.root.setAttribute('closedby', editing ? 'closerequest' : 'any'); // a press beside it ends no writing
+  /** @param {HTMLElement | null} [part]  that stands in place of the list */
+  turn(part = null) {
+    for (const each of [this.editor.root, this.courses?.file.root]) if (each) each.hidden = each !== part;
+    this.body.hidden = this.search.hidden = this.count.hidden = part !== null;
+    this.root.setAttribute('closedby', part ? 'closerequest' : 'any'); // a press beside it ends no writing
   }
   /** @param {string} scene */
   choose(scene) {
     this.close();
+    if (this.page.opening.teaching.on) {
+      location.assign(`?${new URLSearchParams({ scene })}`); // out of the lesson
+      return;
+    }
     this.page.player.button.focus(); // so that Space plays what was chosen, and does not open this again
     if (scene !== this.page.frame.chosen.scene) this.page.choose('scene', scene);
   }
@@ -205,7 +223,7 @@ export class Gallery {
       for (const { entry: known } of here) found.add(known.scene);
     }
     this.own.hidden = typed !== '' || Boolean(carried); // only a server reads files
-    this.lessons.hidden = typed !== '' || !this.lessons.querySelector('a');
+    this.courses?.find(typed);
     this.count.textContent = text('gallery.count', { count: found.size, all: this.all, part: found.size < this.all });
     this.page.history.later();
   }
@@ -226,7 +244,7 @@ export class Gallery {
   #key(event) {
     const from = /** @type {HTMLElement} */ (event.target);
     const inSearch = from === this.search;
-    const listed = [...this.body.querySelectorAll('button[data-scene], summary')];
+    const listed = [...this.body.querySelectorAll('button[data-scene], a.card, summary')];
     const choices = /** @type {HTMLElement[]} */ (listed.filter((each) => each.checkVisibility()));
     if (inSearch && event.key === 'Escape') {
       event.preventDefault(); // it would only empty the search
@@ -234,7 +252,7 @@ export class Gallery {
     }
     if (inSearch && event.key === 'Enter') {
       event.preventDefault();
-      choices.find(({ dataset }) => dataset.scene)?.click();
+      choices.find((each) => each.matches('button, a'))?.click();
       return;
     }
     if (!ARROWS.includes(event.key) || (inSearch && event.key !== 'ArrowDown')) return;
@@ -243,17 +261,6 @@ export class Gallery {
     const next = inSearch ? choices[0] : nearest(from, choices, event.key);
     (next ?? (event.key === 'ArrowUp' ? this.search : from)).focus();
   }
-}
-
-/**
- * Lessons, each a link: a page of its own has one.
- * @param {Listed} listed
- */
-function lessonsOf({ lessons }) {
-  const links = (alone ? lessons : []).map(([name, title]) =>
-    make('li', {}, make('a', { href: lessonAt(name), className: 'entry', textContent: title })),
-  );
-  return make('section', {}, make('h3', { textContent: text('gallery.lessons') }), make('ul', {}, ...links));
 }
 
 /**

@@ -10,7 +10,7 @@ const NUMBER = /^\d+\.\d*$/;
 const KINDS = family('bodies.kind');
 
 /** @param {string} words */
-const plain = (words) =>
+export const plain = (words) =>
   words
     .toLowerCase()
     .normalize('NFD')

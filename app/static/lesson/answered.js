@@ -1,5 +1,6 @@
 // How a lesson says that an answer is right, or what it has missed: signs and sentences, never a grade.
 import { make } from '../browser/dom.js';
+import { text } from '../text/catalogue.js';
 import { elementsOf } from './nodes.js';
 
 /** @import { Gaps, Piece } from './nodes.js' */
@@ -22,3 +23,25 @@ export const saidOf = (right, say, gaps = {}) =>
  */
 export const mainButton = (textContent, onclick) =>
   make('button', { type: 'button', className: 'lesson-main', textContent, onclick });
+
+/**
+ * The button that asks the same once more; what was answered first stays.
+ * @param {() => void} onclick
+ */
+export function againButton(onclick) {
+  const button = mainButton(text('lesson.try-again'), onclick);
+  button.classList.add('plain');
+  return button;
+}
+
+/**
+ * How often a question was tried.
+ * @param {number} count
+ */
+export const triesOf = (count) => make('p', { className: 'lesson-hint', textContent: text('lesson.tries', { count }) });
+
+/**
+ * What the page has said is seen, also where it stands below.
+ * @param {Element} root
+ */
+export const brought = (root) => root.querySelector('.lesson-said')?.scrollIntoView({ block: 'nearest' });

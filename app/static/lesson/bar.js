@@ -1,6 +1,8 @@
 // In the bar: which lesson this is, its steps, and ways to begin again and to leave it.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
+import { KEY, Print } from './print.js';
+import { Projector, PROJECTOR } from './projector.js';
 
 /** @import { Lesson } from './lesson.js' */
 
@@ -21,8 +23,14 @@ export class Bar {
     };
     const again = act('⟲', 'lesson.again', () => this.#again(again));
     const leave = act('✕', 'lesson.leave', () => location.assign(location.pathname));
-    const acts = make('div', { className: 'lesson-acts' }, again, leave);
+    this.projector = new Projector(lesson);
+    const extras = [this.projector.button, new Print(lesson).button];
+    const acts = make('div', { className: 'lesson-acts' }, ...extras, again, leave);
     this.root = make('div', { className: 'lesson-bar' }, this.name, list, acts);
+  }
+  /** What the address says besides. */
+  get said() {
+    return `${this.lesson.flags.includes(KEY) ? `&${KEY}` : ''}${this.projector.on ? `&${PROJECTOR}` : ''}`;
   }
   /**
    * All answers are forgotten at the second press.
@@ -47,5 +55,6 @@ export class Bar {
       button.ariaCurrent = k === at ? 'step' : null;
       button.classList.toggle('reached', reached);
     });
+    this.steps[at].scrollIntoView({ block: 'nearest', inline: 'nearest' });
   }
 }

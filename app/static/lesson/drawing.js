@@ -4,7 +4,7 @@ import { ticks } from '../charts/scale.js';
 import { COLORS, css, KEPT } from '../charts/styles.js';
 import { localised } from '../text/format.js';
 import { text } from '../text/catalogue.js';
-import { BIN } from './judge.js';
+import { BIN, joined } from './judge.js';
 
 /** @import { Samples } from '../charts/scale.js' */
 /** @import { Judgement } from './judge.js' */
@@ -145,10 +145,50 @@ export function truth(c, paper, { x, y }, until) {
   c.beginPath();
   for (const [t, value] of all) c.lineTo(paper.x(t), paper.y(value));
   c.stroke();
-  if (end < paper.until || !all.length) return;
-  const [t, value] = all.reduce((a, b) => (b[1] > a[1] ? b : a));
+}
+
+/**
+ * Where a label of this size lies beside a point, clear of lines; the first place where none is.
+ * @param {Paper} paper
+ * @param {[x: number, y: number]} point
+ * @param {[wide: number, high: number]} size
+ * @param {[x: number, y: number][]} lines  points of them
+ * @returns {[x: number, y: number]}  its left end, and the foot of its letters
+ */
+export function clearOf(paper, [x, y], [wide, high], lines) {
+  const right = paper.left + paper.wide - wide;
+  const foot = (/** @type {number} */ at) => Math.min(Math.max(at, paper.top + high), paper.bottom - 4);
+  const beside = [x + 10, x - wide - 10, x + 40, right].filter((each) => each >= paper.left && each <= right);
+  const places = [0, -1.5 * high, 1.5 * high, 3 * high, 5 * high].flatMap((down) =>
+    beside.map((each) => /** @type {[number, number]} */ ([each, foot(y + 4 + down)])),
+  );
+  const hit = (/** @type {[number, number]} */ [left, low]) =>
+    lines.some(([a, b]) => a > left - 4 && a < left + wide + 4 && b > low - high && b < low + 4);
+  return places.find((each) => !hit(each)) ?? places[0] ?? [x + 10, foot(y)];
+}
+
+/**
+ * What the curve is called, beside its peak and over no line.
+ * @param {Context} c
+ * @param {Paper} paper
+ * @param {Samples} curve
+ * @param {number[]} line  that was drawn
+ */
+export function happens(c, paper, curve, line) {
+  const within = Array.from(curve.x, (t, k) => /** @type {[number, number]} */ ([t, curve.y[k]])).filter(
+    ([t]) => t >= 0 && t <= paper.until,
+  );
+  if (!within.length) return;
+  const at = (/** @type {[number, number]} */ [t, value]) =>
+    /** @type {[number, number]} */ ([paper.x(t), paper.y(value)]);
+  const [, peak] = within.reduce((a, b) => (b[1] > a[1] ? b : a));
+  const top = /** @type {[number, number]} */ (within.find(([, value]) => value === peak));
+  const drawn = joined(line).map((value, k) => at([k * BIN, value]));
   c.font = letters(13, '600 ');
-  say(c, text('lesson.happens'), paper.x(t) + 10, Math.max(paper.y(value) + 4, paper.top + 10), COLORS.ink);
+  const words = text('lesson.happens');
+  const size = /** @type {[number, number]} */ ([c.measureText(words).width, 13 * zoom]);
+  const [x, y] = clearOf(paper, at(top), size, [...drawn, ...within.map(at)]);
+  say(c, words, x, y, COLORS.ink);
 }
 
 /**

@@ -76,6 +76,7 @@ export class Goal {
     const rest = whole ? (part.found.length > 1 ? part.all : null) : answer.found.length ? part.more : null;
     const say = met ? part.found[which].say : part.not_yet;
     const words = wordsOf(say, gaps);
+    for (const each of answer.found) if (each.which === which) each.gaps = gaps;
     const more = rest ? [saidOf(whole, rest)] : [];
     for (const each of more) each.classList.add('lesson-more');
     this.says.replaceChildren(saidOf(met, say, gaps), ...more);
@@ -85,8 +86,10 @@ export class Goal {
   }
   said() {
     const { found } = this.answer;
-    const words = (/** @type {Part} */ { place }) =>
-      make('p', { textContent: this.lesson.valueWords(this.part.slider, place) });
-    return [make('div', {}, ...found.map(words))];
+    const words = (/** @type {Part} */ { gaps, place, which }) => [
+      make('p', { textContent: this.lesson.valueWords(this.part.slider, place) }),
+      ...(which in this.part.found ? [saidOf(true, this.part.found[which].say, gaps ?? {})] : []),
+    ];
+    return [make('div', {}, ...found.flatMap(words))];
   }
 }

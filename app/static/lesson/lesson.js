@@ -7,8 +7,11 @@ import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { Bar } from './bar.js';
 import { Below } from './below.js';
+import { endingOf } from './ending.js';
 import { eventsOf, timeOf, unitOf } from './events.js';
 import { elementsOf } from './nodes.js';
+import { KEY } from './print.js';
+import { PROJECTOR } from './projector.js';
 import { asks, questionOf } from './questions.js';
 import { Second } from './second.js';
 import { Sketch } from './sketch.js';
@@ -29,6 +32,8 @@ import { summaryOf } from './summary.js';
 /**
  * @typedef {object} Record_
  * @property {string} lesson
+ * @property {boolean} [own]  of a file of the visitor's
+ * @property {boolean} [untried]  whether it was not tried as a whole
  * @property {number} version
  * @property {string} language
  * @property {string} title
@@ -44,6 +49,7 @@ import { summaryOf } from './summary.js';
 
 const AT_FIRST = ['bodies'];
 const PLAIN = ['bodies', 'rows', 'numbers']; // what of it is no chart
+const FLAGS = [KEY, PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
 export class Lesson {
@@ -53,6 +59,7 @@ export class Lesson {
   /** @type {Events} */ events = {};
   unit = 1; // of the page's clock, that a T is
   rows = false; // whether they are seen below the picture
+  flags = FLAGS; // of the address
 
   /**
    * @param {Page} page
@@ -61,7 +68,7 @@ export class Lesson {
   constructor(page, record) {
     this.page = page;
     this.record = record;
-    this.key = `lesson.${record.lesson}`;
+    this.key = `lesson.${record.own ? 'own.' : ''}${record.lesson}`;
     /** @type {Progress} */
     this.progress = this.#kept();
     this.still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -79,6 +86,7 @@ export class Lesson {
     this.back.onclick = () => this.enter(this.at - 1);
     this.onwards = make('button', { type: 'button', onclick: () => this.enter(this.at + 1) });
     this.moves = make('nav', { className: 'lesson-moves', ariaLabel: text('lesson.steps') }, this.back, this.onwards);
+    this.moves.append(...endingOf(this));
   }
   /** What it asks: answers to other questions are of no use. */
   get #questions() {
@@ -102,13 +110,14 @@ export class Lesson {
     for (const { stage } of Object.values(this.page.views)) if ('striker' in stage) stage.striker = null; // no hand
     root.querySelector('.topbar h1')?.after(this.bar.root);
     root.append(this.root, this.moves);
+    if (this.flags.includes(PROJECTOR)) this.bar.projector.turn(true);
   }
   get step() {
     return this.record.steps[this.at];
   }
   /** What the address says of it. */
   get query() {
-    return `lesson=${this.record.lesson}&step=${this.at + 1}`;
+    return `lesson=${this.record.own ? 'own' : this.record.lesson}&step=${this.at + 1}${this.bar.said}`;
   }
   /** The part that says what is shown: that of this step, or before. */
   get #scene() {
@@ -240,7 +249,7 @@ export class Lesson {
     const nodes = !open && this.#laid ? elementsOf(this.#after.nodes ?? []) : [];
     this.tail?.replaceChildren(...nodes, ...sums, ...(open ? [] : this.#numbers()));
     this.back.disabled = at === 0;
-    this.onwards.hidden = last;
+    this.page.root.classList.toggle('last-step', last); // which has other ways to go on
     this.onwards.textContent = text(open ? 'lesson.skip' : 'lesson.next');
     this.onwards.classList.toggle('ready', !open);
     this.bar.show();
@@ -265,7 +274,7 @@ export class Lesson {
     this.below.show(chart || this.#closed ? [] : this.#shown.filter((name) => !PLAIN.includes(name)), !this.coming);
     const { root } = page;
     root.classList.toggle('sketching', Boolean(chart));
-    if (chart && !chart.isConnected) root.append(chart);
+    if (chart && !chart.isConnected) this.root.after(chart); // Tab goes on to it
     if (!chart) question?.chart?.remove();
     page.opening.section.guess = this.#guess();
     const slider = Object.keys(question?.choices ?? {});

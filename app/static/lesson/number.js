@@ -2,7 +2,7 @@
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
-import { mainButton, saidOf } from './answered.js';
+import { againButton, brought, mainButton, saidOf, triesOf } from './answered.js';
 import { wordsOf } from './nodes.js';
 
 /** @import { Piece } from './nodes.js' */
@@ -67,8 +67,12 @@ export function judgeNumber({ answer, factors, mistakes, tolerance, unit: own, u
   return { right: false, mistake };
 }
 
+/** @typedef {{ written: string, unit: string, done: boolean, said: number }} Trial  `said`: of the mistakes */
+
 /** @implements {Question} */
 export class NumberQuestion {
+  /** @type {Trial | null} */ trial = null; // once it is answered
+
   /**
    * @param {Lesson} lesson
    * @param {Part} part
@@ -76,7 +80,7 @@ export class NumberQuestion {
   constructor(lesson, part) {
     this.lesson = lesson;
     this.part = /** @type {Part & Asked} */ (part);
-    const fresh = { written: '', unit: part.units[0], tries: 0, done: false, said: -2 };
+    const fresh = { written: '', unit: part.units[0], tries: 0, done: false, said: -2, first: null };
     this.answer = lesson.answerOf(part.name, fresh);
     this.input = make('input', { type: 'text', inputMode: 'decimal', autocomplete: 'off', maxLength: 40 });
     this.input.ariaLabel = text('lesson.number');
@@ -88,7 +92,7 @@ export class NumberQuestion {
     const check = mainButton(text('lesson.check'), () => this.#check());
     this.input.onkeydown = ({ key }) => key === 'Enter' && this.#check();
     this.input.oninput = this.unit.onchange = () => {
-      Object.assign(this.answer, { written: this.input.value, unit: this.unit.value });
+      Object.assign(this.now, { written: this.input.value, unit: this.unit.value });
       lesson.keep();
     };
     const row = make('div', { className: 'lesson-row' }, this.input, this.unit, check);
@@ -98,20 +102,36 @@ export class NumberQuestion {
   get done() {
     return this.answer.done;
   }
+  /** @returns {Trial} */
+  get now() {
+    return this.trial ?? this.answer;
+  }
   #render() {
-    const { said, done, tries } = this.answer;
-    const { mistakes, no, yes } = this.part;
+    const { said, done } = this.now;
+    const { tries } = this.answer;
     this.input.readOnly = done;
     this.unit.disabled = done;
     this.root.classList.toggle('done', done);
-    if (!tries) return;
-    const say = done ? yes : (mistakes[said]?.say ?? no);
-    const count = make('p', { className: 'lesson-hint', textContent: text('lesson.tries', { count: tries }) });
-    this.said_.replaceChildren(saidOf(done, say), count);
+    const again = againButton(() => {
+      this.trial = { written: '', unit: this.answer.unit, done: false, said: -2 };
+      this.input.value = '';
+      this.#render();
+      this.input.focus();
+    });
+    if (said < -1) this.said_.replaceChildren();
+    else this.said_.replaceChildren(this.#judged(said, done), triesOf(tries), ...(done ? [again] : []));
+  }
+  /**
+   * @param {number} said  of the mistakes
+   * @param {boolean} right
+   */
+  #judged(said, right) {
+    const { mistakes, no, yes } = this.part;
+    return saidOf(right, right ? yes : (mistakes[said]?.say ?? no));
   }
   #check() {
-    const { answer, input, lesson, part, unit } = this;
-    if (answer.done) return;
+    const { answer, input, lesson, now, part, unit } = this;
+    if (now.done) return;
     const found = read(input.value, part.units);
     if (!found) {
       const hint = make('p', { className: 'lesson-hint', textContent: text('lesson.no-number') });
@@ -121,8 +141,8 @@ export class NumberQuestion {
     }
     if (found.unit) unit.value = found.unit;
     const { mistake, right } = judgeNumber(part, found.value, unit.value);
-    Object.assign(answer, { written: input.value, unit: unit.value, said: mistake, done: right });
-    answer.first ??= { value: found.value, unit: unit.value };
+    Object.assign(now, { written: input.value, unit: unit.value, said: mistake, done: right });
+    answer.first ??= { written: input.value, value: found.value, unit: unit.value, said: mistake, done: right };
     answer.tries += 1;
     this.#render();
     if (right) lesson.answered(wordsOf(part.yes));
@@ -132,15 +152,16 @@ export class NumberQuestion {
       input.focus();
       input.select();
     }
+    brought(this.root);
   }
   said() {
     const { answer, part } = this;
-    const found = read(answer.written, part.units);
-    const mine = found ? `${figures(found.value, 6)} ${answer.unit}` : '–';
-    const tries = text('lesson.tries', { count: answer.tries });
-    return [
-      make('p', { textContent: `${mine} (${tries})` }),
-      make('p', { textContent: `${figures(part.answer, 4)} ${part.unit}` }),
-    ];
+    /** @type {Trial} */
+    const first = answer.first ?? answer;
+    const found = read(first.written, part.units);
+    const words = make('p', { textContent: found ? `${figures(found.value, 6)} ${first.unit}` : '–' });
+    const mine = make('div', {}, words, this.#judged(first.said, first.done));
+    if (answer.tries > 1) mine.append(triesOf(answer.tries));
+    return first.done ? [mine] : [mine, make('p', { textContent: `${figures(part.answer, 4)} ${part.unit}` })];
   }
 }

@@ -1,7 +1,7 @@
 // Sentences are put in their order: by buttons that say the new place, or by dragging a line at its handle.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
-import { mainButton, saidOf } from './answered.js';
+import { againButton, brought, mainButton, saidOf, triesOf } from './answered.js';
 import { timeOf } from './events.js';
 import { elementsOf, wordsOf } from './nodes.js';
 
@@ -19,8 +19,12 @@ export function mixed(count) {
   return found.every((each, k) => each === k) ? found.reverse() : found;
 }
 
+/** @typedef {{ order: number[], checked: boolean, done: boolean }} Trial */
+
 /** @implements {Question} */
 export class Order {
+  /** @type {Trial | null} */ trial = null; // once it is answered
+
   /**
    * @param {Lesson} lesson
    * @param {Part} part
@@ -28,7 +32,7 @@ export class Order {
   constructor(lesson, part) {
     this.lesson = lesson;
     this.part = part;
-    const fresh = { order: mixed(part.items.length), tries: 0, checked: false, done: false };
+    const fresh = { order: mixed(part.items.length), tries: 0, checked: false, done: false, first: null };
     this.answer = lesson.answerOf(part.name, fresh);
     this.list = make('ol', { className: 'lesson-lines' });
     this.check = mainButton(text('lesson.check'), () => this.#check());
@@ -43,27 +47,38 @@ export class Order {
   load() {
     if (this.done) this.#render();
   }
-  get #right() {
-    return this.answer.order.filter((/** @type {number} */ each, /** @type {number} */ k) => each === k).length;
+  /** @returns {Trial} */
+  get now() {
+    return this.trial ?? this.answer;
   }
-  #gaps() {
-    return { right: String(this.#right), all: String(this.part.items.length) };
+  /** How many are in their place. */
+  get #right() {
+    return this.now.order.filter((each, k) => each === k).length;
+  }
+  /** @param {number} [right] */
+  #gaps(right = this.#right) {
+    return { right: String(right), all: String(this.part.items.length) };
   }
   #render() {
-    const { answer, part } = this;
-    const { checked, order, done, tries } = answer;
-    this.list.replaceChildren(...order.map((/** @type {number} */ n, /** @type {number} */ k) => this.#line(n, k)));
+    const { part } = this;
+    const { checked, done, order } = this.now;
+    const { tries } = this.answer;
+    this.list.replaceChildren(...order.map((n, k) => this.#line(n, k)));
     this.check.hidden = done;
-    const count = make('p', { className: 'lesson-hint', textContent: text('lesson.tries', { count: tries }) });
     const say = checked ? [saidOf(done, done ? part.yes : part.no, this.#gaps())] : [];
-    this.says.replaceChildren(...say, ...(tries ? [count] : []));
+    const again = againButton(() => {
+      this.trial = { order: mixed(part.items.length), checked: false, done: false };
+      this.#render();
+      this.list.querySelector('button')?.focus();
+    });
+    this.says.replaceChildren(...say, ...(tries ? [triesOf(tries)] : []), ...(done ? [again] : []));
   }
   /**
    * @param {number} item
    * @param {number} place
    */
   #line(item, place) {
-    const { answer, lesson, part } = this;
+    const { now: answer, lesson, part } = this;
     const { at, text: words } = part.items[item];
     const time = answer.done && at !== null ? timeOf(at, lesson.events) : NaN;
     const sign = answer.checked && !answer.done && item === place ? '✓' : '';
@@ -94,7 +109,7 @@ export class Order {
    * @param {number} by
    */
   #move(from, by) {
-    const { answer, lesson, part } = this;
+    const { now: answer, lesson, part } = this;
     const to = from + by;
     const [moved] = answer.order.splice(from, 1);
     answer.order.splice(to, 0, moved);
@@ -123,7 +138,7 @@ export class Order {
       const high = line.offsetHeight;
       const by = (/** @type {PointerEvent} */ { clientY }) => {
         const lines = Math.round((clientY - down.clientY) / high);
-        return Math.min(Math.max(lines, -place), this.answer.order.length - 1 - place);
+        return Math.min(Math.max(lines, -place), this.now.order.length - 1 - place);
       };
       handle.onpointermove = (event) => (line.style.translate = `0 ${event.clientY - down.clientY}px`);
       handle.onpointerup = handle.onpointercancel = (event) => {
@@ -136,20 +151,27 @@ export class Order {
   }
   #check() {
     const { answer, lesson, part } = this;
+    const { now } = this;
     answer.tries += 1;
-    answer.first ??= { order: [...answer.order] };
-    answer.checked = true;
-    answer.done = this.#right === answer.order.length;
+    answer.first ??= { order: [...now.order], right: this.#right };
+    now.checked = true;
+    now.done = this.#right === now.order.length;
     this.#render();
-    const words = wordsOf(answer.done ? part.yes : part.no, this.#gaps());
-    if (answer.done) lesson.answered(words);
+    const words = wordsOf(now.done ? part.yes : part.no, this.#gaps());
+    if (now.done) lesson.answered(words);
     else {
       lesson.keep();
       lesson.speak(words);
     }
+    brought(this.root);
   }
   said() {
-    const tries = text('lesson.tries', { count: this.answer.tries });
-    return [make('p', { textContent: tries })];
+    const { answer, part } = this;
+    const all = part.items.length;
+    const first = answer.first?.right ?? all;
+    const words = make('p', { textContent: text('lesson.placed', { right: first, all }) });
+    const mine = make('div', {}, words, saidOf(first === all, first === all ? part.yes : part.no, this.#gaps(first)));
+    if (answer.tries > 1) mine.append(triesOf(answer.tries));
+    return [mine];
   }
 }

@@ -1,7 +1,7 @@
 // The questions of a lesson by their kind, and the simplest of them: a choice of one sentence.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
-import { mainButton, saidOf } from './answered.js';
+import { againButton, mainButton, saidOf, triesOf } from './answered.js';
 import { elementsOf, wordsOf } from './nodes.js';
 import { NumberQuestion } from './number.js';
 import { Order } from './order.js';
@@ -28,6 +28,7 @@ import { Sketch } from './sketch.js';
 /** @implements {Question} */
 class Choice {
   predicts = true;
+  /** @type {{ picked: number, done: boolean } | null} */ trial = null; // once it is answered
 
   /**
    * @param {Lesson} lesson
@@ -36,7 +37,7 @@ class Choice {
   constructor(lesson, part) {
     this.lesson = lesson;
     this.part = part;
-    this.answer = lesson.answerOf(part.name, { picked: -1, done: false });
+    this.answer = lesson.answerOf(part.name, { picked: -1, done: false, more: 0 });
     this.root = make('div', { className: 'lesson-choice' });
     this.#render();
   }
@@ -44,12 +45,13 @@ class Choice {
     return this.answer.done;
   }
   #render() {
-    const { answer, lesson, part } = this;
-    const { picked, done } = answer;
+    const { lesson, part } = this;
+    const now = this.trial ?? this.answer;
+    const { picked, done } = now;
     const radios = part.options.map((/** @type {Part} */ option, /** @type {number} */ k) => {
       const input = make('input', { type: 'radio', name: part.name, checked: k === picked, disabled: done });
       input.onchange = () => {
-        answer.picked = k;
+        now.picked = k;
         lesson.keep();
         show.disabled = false;
       };
@@ -61,24 +63,40 @@ class Choice {
     show.disabled = picked < 0;
     const about = make('legend', { textContent: text('lesson.one-of') });
     const all = make('fieldset', {}, about, ...radios);
-    this.root.replaceChildren(all, ...(done ? [this.#said()] : [show]));
+    this.root.replaceChildren(all, ...(done ? this.#said(picked) : [show]));
   }
-  #said() {
-    const { right, say } = this.part.options[this.answer.picked];
+  /** @param {number} picked */
+  #said(picked) {
+    const more = this.answer.more ?? 0;
+    const again = againButton(() => {
+      this.trial = { picked: -1, done: false };
+      this.#render();
+      this.root.querySelector('input')?.focus();
+    });
+    return [this.#judged(picked), ...(more ? [triesOf(1 + more)] : []), again];
+  }
+  /** @param {number} picked */
+  #judged(picked) {
+    const { right, say } = this.part.options[picked];
     return saidOf(Boolean(right), say);
   }
   #tell() {
-    if (this.answer.picked < 0) return;
-    this.answer.done = true;
+    const { answer } = this;
+    const now = this.trial ?? answer;
+    if (now.picked < 0) return;
+    now.done = true;
+    if (this.trial) answer.more = (answer.more ?? 0) + 1;
     this.#render();
-    this.lesson.answered(wordsOf(this.part.options[this.answer.picked].say));
+    this.lesson.answered(wordsOf(this.part.options[now.picked].say));
   }
   said() {
     const { answer, part } = this;
     const right = part.options.filter((/** @type {Part} */ option) => option.right);
     const join = (/** @type {Part[]} */ options) =>
       make('p', {}, ...options.flatMap((option, k) => [...(k ? ['; '] : []), ...elementsOf(option.text)]));
-    return [join([part.options[answer.picked]]), join(right)];
+    const mine = make('div', {}, join([part.options[answer.picked]]), this.#judged(answer.picked));
+    if (answer.more) mine.append(triesOf(1 + answer.more));
+    return part.options[answer.picked].right && right.length === 1 ? [mine] : [mine, join(right)];
   }
 }
 

@@ -72,7 +72,6 @@ export class Sketch {
     );
     const head = make('div', { className: 'sketch-head' }, make('span', { textContent: name }), tools);
     plot.setAttribute('role', 'application');
-    plot.ariaLabel = text('lesson.chart', { name, until: this.lesson.timeWords(this.drawn.until) });
     sheet.append(canvas, plot);
     points.append(...this.#typing());
     this.#listen();
@@ -169,10 +168,18 @@ export class Sketch {
     this.#enable();
     this.draw();
   }
+  /** What the chart is called. */
+  #call() {
+    const drawn = this.done ? 'done' : this.drawn.begun ? 'some' : 'no';
+    this.plot.ariaLabel = text('lesson.chart', {
+      ...{ drawn, name: this.name, until: this.lesson.timeWords(this.drawn.until) },
+    });
+  }
   get #whole() {
     return this.drawn.reach >= this.drawn.until - SHORT;
   }
   #enable() {
+    this.#call();
     this.show_.disabled = !this.#whole;
     this.hint.textContent = this.#whole
       ? ''
@@ -188,6 +195,7 @@ export class Sketch {
       this.#enable();
       return;
     }
+    this.#call();
     this.sentences = this.judgements.map((judgement, k) => this.#sentence(judgement, k));
     const list = make('ul', { className: 'lesson-judged', tabIndex: -1 }, ...this.sentences);
     const lay = mainButton(text(answer.laid ? 'lesson.stand' : 'lesson.lay'), () => this.#lay());
@@ -298,6 +306,7 @@ export class Sketch {
     drawing.axes(c, paper);
     if (done) drawing.truth(c, paper, this.curve, this.seen);
     drawing.own(c, paper, drawn.line, done);
+    if (done && this.seen >= drawn.until) drawing.happens(c, paper, this.curve, drawn.line);
     if (drawn.given && !done) drawing.dot(c, paper, drawn.given);
     if (done)
       this.judgements.forEach((each, k) => {

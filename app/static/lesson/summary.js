@@ -13,7 +13,7 @@ import { asks, questionOf } from './questions.js';
  * @param {Part} part
  */
 export function summaryOf(lesson, part) {
-  const { next, next_title: title, steps } = lesson.record;
+  const { steps } = lesson.record;
   const parts = steps.flatMap((step, k) =>
     step.parts.filter(asks).map((each) => {
       const question = questionOf(lesson, each);
@@ -27,7 +27,6 @@ export function summaryOf(lesson, part) {
       return make('section', { className: 'lesson-sum' }, make('h3', {}, back), make('dl', {}, ...rows));
     }),
   );
-  const onward = make('a', { href: `?lesson=${next}`, textContent: text('lesson.follows', { title }) });
   const end = make('p', { className: 'lesson-end' }, ...elementsOf(part.say));
-  return make('div', {}, end, ...parts, handed(lesson), ...(next ? [make('p', {}, onward)] : []));
+  return make('div', {}, end, ...parts, handed(lesson));
 }

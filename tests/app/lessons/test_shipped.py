@@ -1,12 +1,13 @@
 """The lessons that come with the program hold in their scenes, and every number in their sentences is computed here."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 
 from app.lessons.checking import check
-from app.lessons.shipped import FOLDER, lesson_files, lesson_names, shipped_lesson, template
+from app.lessons.shipped import FOLDER, in_order, lesson_files, lesson_names, shipped_lesson, template
 from app.lessons.solving import solved
 from solvers import solve
 
@@ -127,7 +128,9 @@ def test_numbers_of_what_an_impact_is(language):
     impulse, force, lost = (lesson.steps[n].parts[2] for n in (1, 2, 4))
     assert impulse.answer == pytest.approx(light.impulse, rel=1e-3)
     assert [each.answer for each in impulse.mistakes] == pytest.approx([mass * (speed - back), mass * speed], rel=2e-3)
-    assert force.answer == pytest.approx(1e-3 * mean, rel=2e-3)
+    assert same(str(force.answer), 1e-3 * mean)  # to the digits of the sentence about it
+    for value in (1e-3 * mean, 3.12, 3.13):  # of the solution, and by hand from 0.447 N s in 143 µs
+        assert abs(value - force.answer) <= force.tolerance
     assert force.mistakes[0].answer == pytest.approx(1e-3 * peak, rel=1e-3)
     assert [lost.answer, *(each.answer for each in lost.mistakes)] == pytest.approx(
         [100 * (1 - kept), 100 * kept, 50.0, 100 * (1 - 0.5**2)], rel=1e-6
@@ -144,3 +147,19 @@ def test_the_first_ball_stops_where_masses_are_equal():
 def test_no_sentence_is_too_long_to_be_read():
     for path in lesson_files():
         assert max(map(len, path.read_text("utf-8").splitlines())) < 320, path.relative_to(FOLDER)
+
+
+@pytest.mark.parametrize(
+    "following, order",
+    [
+        ({"what-an-impact-is": "bounce-twice", "bounce-twice": ""}, ["what-an-impact-is", "bounce-twice"]),
+        ({"b": "", "a": "", "z": "y", "y": ""}, ["z", "y", "a", "b"]),  # the longest course first
+        ({"c": "b", "a": "b", "b": ""}, ["a", "b", "c"]),  # two lead to one
+        ({"a": "b", "b": "a", "c": "none-such"}, ["c", "a", "b"]),  # a ring has no first one
+        ({"a": "a"}, ["a"]),
+    ],
+)
+def test_lessons_stand_as_they_follow_each_other(following, order):
+    one = shipped_lesson("bounce-twice")
+    given = [replace(one, lesson=name, next=then) for name, then in following.items()]
+    assert [each.lesson for each in in_order(given)] == order

@@ -29,7 +29,7 @@ PIXELS = f"""() => {{
 
 
 def gallery(page):
-    return page.tab.get_by_role("dialog", name="Scenes")
+    return page.tab.get_by_role("dialog", name="Scenes and lessons")
 
 
 def opened(page) -> None:
@@ -48,7 +48,7 @@ def test_a_scene_is_chosen_by_its_picture_and_nothing_is_fetched_before(open_pag
     opened(page)
     assert len([address for address in fetched if "gallery" in address]) == 3  # script, style, and what is in it
     scene = page.header("chosen")["scene"]
-    expect(page.tab.locator(".card")).to_have_count(len(SCENES_SHOWN))
+    expect(page.tab.locator("button.card")).to_have_count(len(SCENES_SHOWN))
     expect(page.tab.locator(".gallery [aria-current=true]").first).to_have_attribute("data-scene", scene)
     page.answered(lambda: page.tab.locator(CARD).click())
     expect(gallery(page)).to_be_hidden()
@@ -71,7 +71,10 @@ def test_all_scenes_are_found_by_words_and_keys(open_page):
     page = open_page("?gallery=")
     expect(gallery(page)).to_be_visible()
     assert page.evaluate("() => strikewave.page.opening.plan") == "opening"  # it lies over what is seen without it
-    search, count = page.tab.get_by_role("searchbox", name="Search the scenes"), page.tab.locator(".gallery .count")
+    search, count = (
+        page.tab.get_by_role("searchbox", name="Search scenes and lessons"),
+        page.tab.locator(".gallery .count"),
+    )
     expect(search).to_be_focused()
     expect(count).to_have_text(f"{len(SCENES)} scenes")
     page.evaluate("() => strikewave.page.root.querySelectorAll('.gallery details').forEach((e) => (e.open = true))")
@@ -126,7 +129,7 @@ def test_cards_are_whole_and_large_enough_to_touch(open_page, size):
             }"""
         )
         assert boxes["over"] <= 0 and boxes["cut"] == 0 and boxes["low"] >= 24, (letters, boxes)
-        gallery(page).get_by_role("button", name="Close the scenes").click()
+        gallery(page).get_by_role("button", name="Close scenes and lessons").click()
 
 
 def test_a_scene_file_dropped_on_the_page_is_solved_kept_and_shared_by_its_link(open_page):

@@ -132,6 +132,7 @@ def test_a_lesson_is_walked_through_with_a_pointer(open_page):
     expect(page.tab.locator(".lesson-sum")).to_have_count(5)
     expect(page.tab.locator(".lesson-sum").nth(3)).to_contain_text("116.4")
     expect(button(page, "Next →")).to_have_count(0)
+    expect(button(page, "All lessons")).to_be_in_viewport()  # no lesson follows
     assert page.tab.url.endswith("?lesson=bounce-twice&step=6")
     page.tab.go_back()
     ready(page)
@@ -195,7 +196,7 @@ def test_no_rule_of_access_is_broken_on_a_desk(open_page):
         ready(page)
         found[step] = findings(page)
         if step < 6:
-            page.tab.locator(".lesson-moves button").last.click()
+            page.tab.locator(".lesson-moves button:visible").last.click()
     assert {step: broken for step, broken in found.items() if broken} == {}
 
 
@@ -291,12 +292,12 @@ def test_lessons_are_fetched_where_one_is_asked_for_and_listed_in_the_gallery(op
     page.tab.reload()
     page.laid_out()
     page.tab.keyboard.press("g")
-    link = page.tab.get_by_role("dialog", name="Scenes").get_by_role("link", name="A mass strikes a rod")
+    link = page.tab.get_by_role("dialog", name="Scenes and lessons").get_by_role("link", name="A mass strikes a rod")
     expect(link).to_be_visible()
     assert not [address for address in fetched if "lesson" in address]
     link.click()
     ready(page)
-    assert len([address for address in fetched if "lesson" in address.split("?")[0]]) == 4  # script, styles, sentences
+    assert len([address for address in fetched if "lesson" in address.split("?")[0]]) == 5  # script, styles, sentences
 
 
 def test_back_leads_from_a_lesson_to_where_one_was(open_page):

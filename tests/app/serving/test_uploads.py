@@ -19,7 +19,7 @@ from tornado.web import Application
 
 from app.serving import uploads
 from app.serving.addresses import Addresses, network_of
-from app.serving.uploads import COMPARED_OF_ONE, MeasuredRecord, first_to_go
+from app.serving.uploads import WORKED_ON_OF_ONE, MeasuredRecord, first_to_go
 from app.views.record import MAX_POINTS
 from solvers.records.files import MAX_BYTES
 from tests.app.sentences import sentence
@@ -222,13 +222,13 @@ def test_costly_comparisons_of_three_addresses_leave_room_for_others(monkeypatch
         addresses = [f"203.0.113.{k}" for k in range(1, 4)]
         slow = Slow(monkeypatch, *addresses)
         costly = [asyncio.ensure_future(slow.sent(address)) for address in addresses for _ in range(MANY)]
-        while sum(task.done() for task in costly) < 3 * (MANY - COMPARED_OF_ONE):
+        while sum(task.done() for task in costly) < 3 * (MANY - WORKED_ON_OF_ONE):
             await asyncio.sleep(0.01)
         assert [await slow.sent("203.0.113.9") for _ in range(3)] == [200] * 3
         return await slow.end(*costly)
 
     codes = run(compared())
-    assert codes.count(200) == 3 * COMPARED_OF_ONE and codes.count(429) == 3 * (MANY - COMPARED_OF_ONE)
+    assert codes.count(200) == 3 * WORKED_ON_OF_ONE and codes.count(429) == 3 * (MANY - WORKED_ON_OF_ONE)
 
 
 def test_a_record_that_makes_room_while_it_is_compared_is_refused_once(monkeypatch, caplog):
@@ -238,11 +238,11 @@ def test_a_record_that_makes_room_while_it_is_compared_is_refused_once(monkeypat
         slow = Slow(monkeypatch, "203.0.113.1")
         monkeypatch.setattr(uploads, "MAX_HELD", 1_000)
         large = asyncio.ensure_future(slow.sent("203.0.113.1", b"1" * 900))
-        while not MeasuredRecord._comparing:
+        while not MeasuredRecord._working:
             await asyncio.sleep(0.01)
         assert await slow.sent("203.0.113.2", b"1" * 200) == 200
         return await slow.end(large)
 
     assert run(compared()) == [429]
     assert not caplog.records or all(record.name == "tornado.access" for record in caplog.records)
-    assert not MeasuredRecord._comparing and not MeasuredRecord._held
+    assert not MeasuredRecord._working and not MeasuredRecord._held

@@ -1,0 +1,19 @@
+// Where the last step has no next one: the lesson that follows, and all there are.
+import { make } from '../browser/dom.js';
+import { text } from '../text/catalogue.js';
+
+/** @import { Lesson } from './lesson.js' */
+
+/** @param {Lesson} lesson */
+export function endingOf({ page, record }) {
+  const { next, next_title: title } = record;
+  const all = make('button', { type: 'button', className: 'lesson-end-act', textContent: text('lesson.all') });
+  all.onclick = () => page.scenes.open();
+  all.setAttribute('aria-haspopup', 'dialog');
+  if (!next) {
+    all.classList.add('ready');
+    return [all];
+  }
+  const textContent = text('lesson.follows', { title: title || next });
+  return [all, make('a', { href: `?lesson=${next}`, className: 'lesson-end-act ready', textContent })];
+}
