@@ -226,7 +226,6 @@ class Lesson:
     minutes: int | None
     audience: str
     next: str
-    next_title: str
     translates: str
     steps: tuple[Step, ...]
     missing: tuple[str, ...] = ()

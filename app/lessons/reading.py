@@ -21,7 +21,7 @@ NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,59}")
 LANGUAGE = re.compile(r"[a-z]{2,3}(-[A-Z]{2})?")
 CLOCKS = ("both", "T")  # units of the time that is shown
 REQUIRED = ("lesson", "version", "language", "title", "scene")
-OPTIONAL = ("title-before", "minutes", "for", "next", "next-title")
+OPTIONAL = ("title-before", "minutes", "for", "next")
 LONGEST_TITLE = 200
 
 
@@ -94,7 +94,7 @@ def _lesson(document: Document, problems: Problems, missing: list[str], translat
         lesson=head["lesson"], version=VERSION, language=head["language"], title=head["title"],
         title_before=head["title-before"] or head["title"], scene=scene,
         minutes=int(head["minutes"]) if head["minutes"] else None,
-        audience=head["for"], next=head["next"], next_title=head["next-title"], translates=translates,
+        audience=head["for"], next=head["next"], translates=translates,
         steps=tuple(steps), missing=tuple(missing),
     )  # fmt: skip
     return Read(lesson, tuple(reading.uses))
@@ -122,7 +122,7 @@ def _head(document: Document, problems: Problems) -> dict[str, str]:
     if minutes and not (minutes.isascii() and minutes.isdecimal() and 1 <= len(minutes) <= 3 and int(minutes)):
         lines.refuse("minutes", minutes, wanted("minutes"))
         found["minutes"] = ""
-    for name in ("title", "title-before", "for", "next-title"):
+    for name in ("title", "title-before", "for"):
         if len(found[name]) > LONGEST_TITLE or (name == "title" and not found[name]):
             lines.refuse(name, found[name] or None, wanted("sentence", most=LONGEST_TITLE))
     found["scene"] = known_scene(found["scene"] or None, lines.line("scene"), "scene", problems) or ""

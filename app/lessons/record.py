@@ -4,17 +4,18 @@ from dataclasses import fields, is_dataclass
 from typing import Any
 
 from .lesson import Lesson, Node, Part
+from .shipped import title_of
 
 
 def lesson_record(lesson: Lesson) -> dict[str, Any]:
     """Lists, words, numbers, true and false, and null for what is not there.
 
-    Keys are the fields of `Lesson` and, below `steps` and `parts`, of the classes of `app.lessons.lesson`; a part has
-    its `kind` beside them. Sentences are lists of nodes: `kind`, and of `text`, `nodes`, `target` what is not empty.
-    Times are numbers in T or names of events, a span is [from, to]; choices and goals are in SI units, axes, answers
-    and tolerances in the unit beside them.
+    Keys are the fields of `Lesson`, `next_title` of the one that follows, if it comes with the program, and, below
+    `steps` and `parts`, of the classes of `app.lessons.lesson`; a part has its `kind` beside them. Sentences are lists
+    of nodes: `kind`, and of `text`, `nodes`, `target` what is not empty. Times are numbers in T or names of events, a
+    span is [from, to]; choices and goals are in SI units, axes, answers and tolerances in the unit beside them.
     """
-    return _record(lesson)
+    return _record(lesson) | {"next_title": title_of(lesson.next, lesson.language)}
 
 
 def _record(value: Any) -> Any:

@@ -28,6 +28,11 @@ def shipped_lesson(name: str, language: str = SOURCE) -> Lesson:
     return read(translated if translated in lesson_files() else FOLDER / f"{name}.md")
 
 
+def title_of(name: str, language: str) -> str:
+    """Of one of them, as it stands until the first answer; "" for another name."""
+    return shipped_lesson(name, language).title_before if name in lesson_names() else ""
+
+
 def in_order(given: list[Lesson]) -> list[Lesson]:
     """Each with those behind it that follow by `next`; the longest such course first, courses of a length by name."""
     by_name = {each.lesson: each for each in given}

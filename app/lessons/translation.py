@@ -10,7 +10,7 @@ from .document import Block, Document, Lines, Section, text_of
 from .problems import LessonError, Problems, wanted
 
 SENTENCES = ("text", "say", "yes", "no", "early", "late", "small", "none", "not-yet", "more", "all")  # keys
-OF_HEAD = ("title", "title-before", "for", "next-title")  # which a translation may have
+OF_HEAD = ("title", "title-before", "for")  # which a translation may have
 SAME = ("lesson", "version")  # which it repeats
 
 

@@ -1,6 +1,7 @@
 // Where the last step has no next one: the lesson that follows, and all there are.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
+import { lessonAt } from '../frame/address.js';
 
 /** @import { Lesson } from './lesson.js' */
 
@@ -15,5 +16,5 @@ export function endingOf({ page, record }) {
     return [all];
   }
   const textContent = text('lesson.follows', { title: title || next });
-  return [all, make('a', { href: `?lesson=${next}`, className: 'lesson-end-act ready', textContent })];
+  return [all, make('a', { href: lessonAt(next), className: 'lesson-end-act ready', textContent })];
 }

@@ -103,7 +103,11 @@ def test_an_original_with_errors_is_to_be_checked_first(tmp_path):
 def bare(record):
     """Without sentences."""
     if isinstance(record, dict):
-        kept = {key: value for key, value in record.items() if not key.startswith("title") and key != "audience"}
+        kept = {
+            key: value
+            for key, value in record.items()
+            if not key.endswith(("title", "title_before")) and key != "audience"
+        }
         return {key: bare(value) for key, value in kept.items() if key not in ("language", "translates")}
     if isinstance(record, list) and record and all(isinstance(each, dict) and "kind" in each for each in record):
         return (
