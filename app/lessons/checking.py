@@ -118,6 +118,8 @@ class _Check:
                 self.problems.add(part.line, "shows-nothing", key="show", value=name)
         if part.beside and shown and shown.solution.peak_force is None:
             self.problems.add(part.line, "beside-nothing")
+        if part.beside and shown and part.beside.items() <= shown.request.chosen.items():
+            self.problems.add(part.line, "beside-same")
         if part.beside:
             self._solved(replace(step, line=part.line, choices=step.choices | part.beside))
 

@@ -40,7 +40,7 @@ export function curvesOf(frame, what) {
   const { flowDepth: slowly, flowElastic: elastic, testsDepth, testsForce, testsPressure } = frame;
   const [loading, unloading] = [text('axial.chart.loading'), text('axial.chart.unloading')];
   /** @type {(y?: Numbers) => [Samples | null, Look]} */
-  const tests = (y) => [pair(testsDepth, y), { name: text('axial.chart.tests'), style: 'record', reach: 0 }];
+  const tests = (y) => [pair(testsDepth, y), { name: text('axial.chart.tests'), style: 'other', reach: 0 }];
   if (what === 'pressure')
     return [[pair(slowly, frame.flowPressure), { name: loading, style: 'prediction' }], tests(testsPressure)];
   if (what === 'radius')

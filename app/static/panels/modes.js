@@ -4,7 +4,7 @@ import { signOf } from '../charts/styles.js';
 import { headOf, make, rowOf, segments } from '../browser/dom.js';
 import { shownIn } from '../clock/times.js';
 import { family, named, said, text } from '../text/catalogue.js';
-import { engineering, figures } from '../text/format.js';
+import { engineering, figures, percent } from '../text/format.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
@@ -119,7 +119,7 @@ class ModeShapes extends Panel {
     const most = found.share.indexOf(Math.max(...found.share));
     const rows = set.number.map((number, k) => {
       const period = found.contact ? figures(1 / (set.frequency[k] * found.contact)) : NONE;
-      const share = alone ? [`${figures(found.share[k])} %`] : [];
+      const share = alone ? [percent(0.01 * found.share[k])] : [];
       const other = beside ? [hertz(beside.frequency[k])] : [];
       const cells = [number, hertz(set.frequency[k]), ...other, period, engineering(1e3 * set.mass[k], 'g'), ...share];
       return rowOf(cells, alone && k === most && found.ringing > LEAST ? { ariaCurrent: 'true' } : {});

@@ -166,6 +166,7 @@ def test_a_right_one_is_not_refused(tmp_path):
         (fence("scene", 'play = ["back", "wall"]'), 9, "play: the span ends before it begins"),
         (fence("order", ORDER.replace("at = 0", 'at = "part"') + 'at = "wall"'), 17, "item[2].at: wall is not later"),
         (fence("scene", 'scene = "spinning-ball"\nbeside = { friction = 1.0 }'), 9, "beside: the scene of this step"),
+        (fence("scene", 'beside = { method = "waves" }'), 9, "beside: the same as this step shows; allowed: settings"),
         (fence("scene", 'show = ["indentation"]'), 9, "show: indentation has nothing to show in the scene of this"),
         (fence("scene", 'scene = "note-rod"\nshow = ["course"]'), 9, "show: course has nothing to show in"),
         (fence("scene", 'scene = "newtons-cradle"\nbeside = { law = "rigid" }'), 9, "the scene of this step cannot"),
