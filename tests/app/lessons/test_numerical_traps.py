@@ -8,6 +8,7 @@ import pytest
 
 from app.lessons.shipped import shipped_lesson
 from solvers import FeNodal, solve
+from solvers.stability.runs import INTEGRATORS
 
 from .numbers import assert_numbers, same, solution_of
 
@@ -121,3 +122,7 @@ def test_the_pull_is_no_property_of_the_impact():
 def test_the_mesh_misses_the_second_contact():
     coarse = FeNodal(elements=STEPS[6].parts[0].beside["elements"]).solve(solution_of(STEPS[6]).scene)
     assert len(coarse.contacts) == 1 and len(solution_of(STEPS[6]).contacts) == 2
+
+
+def test_the_charts_of_stability_are_in_the_order_that_is_said():
+    assert list(INTEGRATORS)[1:3] == ["newmark", "newmark-frozen"]
