@@ -35,9 +35,8 @@ class SceneError(ValueError):
     @property
     def note(self) -> Note:
         """The same as a note."""
-        named = Note("refusals.key-of", Severity.REFUSAL, key=self.key, of=self.of).table() if self.of else self.key
-        values = {"key": named, "value": shown(self.value), "allowed": self.reason.table()}
-        return Note("refusals.value", Severity.REFUSAL, **values)
+        values = {"key": self.key, "of": self.of or "none", "value": shown(self.value)}
+        return Note("refusals.value", Severity.REFUSAL, **values, allowed=self.reason.table())
 
     @property
     def allowed(self) -> str:
@@ -57,7 +56,7 @@ def shown(value: object) -> str:
     try:
         text = "nothing" if value is None else repr(value)
     except (ValueError, RecursionError):  # an endless whole number, tables within tables without end
-        text = f"a {type(value).__name__} too long to show"
+        text = "[...]" if isinstance(value, list) else "{...}" if isinstance(value, dict) else "..."
     return text if len(text) <= 60 else text[:57] + "..."
 
 

@@ -3,6 +3,7 @@
 In README and docs a block marked `python` is run, all of a page in one namespace; a block marked `console` has commands
 after `$`. A `text` block after the one, and the lines after the other, are what it prints; `...` stands for anything.
 Commands in `sh` blocks are read, not run: they take long, or write files. A `diff` applies to the sources as they are.
+A page in another language has the sections and examples of the page that it translates.
 """
 
 import doctest
@@ -21,11 +22,17 @@ import pytest
 
 import solvers
 from app.command import main
+from app.text.catalogues import LANGUAGES
+from app.text.catalogues import page as catalogue
 from bench import thesis
+from solvers.text.catalogue import CHOSEN, SOURCE
 
 ROOT = Path(__file__).parents[1]
 TOP = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
-PAGES = [*TOP, *sorted((ROOT / "docs").glob("*.md"))]
+DOCS = ROOT / "docs"
+PAGES = [*TOP, *sorted(DOCS.rglob("*.md"))]
+IN_ENGLISH = {"es": ", en inglés"}  # what the page's help says of a document that a language does not have
+TRANSLATED = sorted(DOCS.glob("*/*.md"))  # in a folder of their language
 HOW = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
@@ -36,6 +43,11 @@ def blocks(page: Path) -> list[tuple[str, str]]:
 
 def pages_with(*kinds: str) -> list[Path]:
     return [page for page in PAGES if any(kind in kinds for kind, _ in blocks(page))]
+
+
+def named(page: Path) -> str:
+    """Its path without the ending: pages of other languages have the same names."""
+    return page.relative_to(ROOT).with_suffix("").as_posix()
 
 
 def assert_prints(wanted: str, printed: str) -> None:
@@ -50,9 +62,11 @@ def commands(text: str) -> Iterator[tuple[list[str], str]]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", pages_with("python", "console", "toml"), ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", pages_with("python", "console", "toml"), ids=named)
 def test_examples_print_what_stands_below_them(page, capsys, monkeypatch):
     monkeypatch.chdir(ROOT)
+    if page in TRANSLATED:
+        monkeypatch.setenv(CHOSEN, page.parent.name)
     names: dict[str, object] = {}
     for (kind, text), (following, wanted) in pairwise([*blocks(page), ("", "")]):
         if kind == "python":
@@ -78,7 +92,7 @@ def test_scenes_that_are_shown_are_the_files_they_name():
 def test_examples_have_the_types_that_pyright_asks_for(tmp_path):
     for page in pages_with("python"):
         text = "\n".join(text for kind, text in blocks(page) if kind == "python")
-        (tmp_path / f"{page.stem.replace('-', '_')}.py").write_text(text, encoding="utf-8")
+        (tmp_path / f"{re.sub(r'[/-]', '_', named(page))}.py").write_text(text, encoding="utf-8")
     call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable, str(tmp_path)]
     done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -104,6 +118,38 @@ def test_files_that_are_named_exist():
         prose = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
         for path in re.findall(r"`((?:solvers|app|tests|bench|docs)/[\w./-]*)`", prose):
             assert (ROOT / path).exists(), (page.name, path)
+
+
+def headings(page: Path) -> list[int]:
+    """How deep each heading of a page is, in its order."""
+    prose = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    return [len(marks) for marks in re.findall(r"^(#+) ", prose, re.MULTILINE)]
+
+
+def rows(page: Path) -> list[list[str]]:
+    """What stands as code in the first cell of each row of the tables: keys, and names of choices."""
+    return [re.findall(r"`[^`]+`", cell) for cell in re.findall(r"^\|([^|]+)\|", page.read_text("utf-8"), re.MULTILINE)]
+
+
+@pytest.mark.parametrize("page", TRANSLATED, ids=named)
+def test_a_translated_page_has_all_that_its_source_has(page):
+    source = DOCS / page.name
+    assert headings(page) == headings(source)
+    assert [kind for kind, _ in blocks(page)] == [kind for kind, _ in blocks(source)]
+    for (kind, text), (_, own) in zip(blocks(page), blocks(source), strict=True):
+        assert kind not in ("sh", "python", "toml", "diff") or text == own
+    assert rows(page) == rows(source)
+
+
+def test_the_help_of_the_page_leads_to_documents_that_there_are():
+    """In each language to the page in that language, where there is one; else it says which language it is in."""
+    for language in LANGUAGES:
+        texts = catalogue(language)
+        for name, address in texts.family("help.address").items():
+            own = "" if language == SOURCE or not (DOCS / language / f"{name}.md").exists() else f"{language}/"
+            assert address == f"{own}{name}.html" and (DOCS / own / f"{name}.md").exists()
+            foreign = language != SOURCE and not own
+            assert texts.texts[f"help.page.{name}"].endswith(IN_ENGLISH.get(language, "?")) == foreign
 
 
 def test_diffs_apply_to_the_sources():
@@ -170,8 +216,9 @@ def site(tmp_path_factory) -> Path:
 
 @pytest.mark.slow
 def test_pages_fetch_nothing_from_elsewhere(site):
-    pages = sorted(site.glob("*.html"))
-    assert {page.stem for page in pages} >= {page.stem for page in (ROOT / "docs").glob("*.md")}
+    pages = sorted(site.rglob("*.html"))
+    built = {page.relative_to(site).with_suffix("") for page in pages}
+    assert built >= {page.relative_to(DOCS).with_suffix("") for page in DOCS.rglob("*.md")}
     for page in pages:
         found = _Addresses()
         found.feed(page.read_text(encoding="utf-8"))

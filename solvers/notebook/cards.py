@@ -1,29 +1,34 @@
-"""What a notebook shows of an object: plain HTML tables, with all text escaped."""
+"""What a notebook shows of an object: plain HTML tables, with all text escaped.
+
+Bodies, methods, models and options are named as scene files name them; all other words are those of `printed.card`.
+"""
 
 import math
 from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Any
 
+from ..text.catalogue import library, spoken
+from .words import family, listed, named, shown, text, vector
+
 Rows = Iterable[tuple[str, str]]
 
 
 def scene_card(scene: Any) -> str:
     """What strikes what, and how it is asked to be solved."""
-    rows = [(name, _body(getattr(scene, name), scene.normal)) for name in ("impactor", "target")]
-    rows += [("contact", scene.contact.NAME)]
+    name = family("card.name")
+    rows = [(name[body], _body(getattr(scene, body), scene.normal)) for body in ("impactor", "target")]
+    rows += [(name["contact"], scene.contact.NAME)]
     if scene.normal is not None:
-        rows += [("normal, impactor to target", _vector(scene.normal))]
-        rows += [] if scene.friction is None else [("friction", _number(scene.friction))]
+        rows += [(name["normal"], vector(scene.normal))]
+        rows += [] if scene.friction is None else [(name["friction"], _number(scene.friction))]
     elif not scene.prescribed_force:
-        rows += [("mass ratio, target / impactor", _number(scene.mass_ratio))]
+        rows += [(name["mass-ratio"], _number(scene.mass_ratio))]
     if not scene.prescribed_force:
-        rows += [("speed of approach", _number(scene.speed, "m/s"))]
-    rows += [
-        ("method", _method(scene.method) if scene.method.get("name") else "the usual one"),
-        ("source", scene.source),
-    ]
-    return _card("Scene", scene.title, _pairs(rows), [scene.note] if scene.note else [])
+        rows += [(name["approach"], _number(scene.speed, "m/s"))]
+    method = _method(scene.method) if scene.method.get("name") else text("card.usual")
+    rows += [(name["method"], method), (name["source"], scene.source)]
+    return _card("scene", scene.title, _pairs(rows), [scene.note] if scene.note else [])
 
 
 def solution_card(solution: Any) -> str:
@@ -32,24 +37,31 @@ def solution_card(solution: Any) -> str:
         (str(number), _number(c.start, "s"), _number(c.end, "s"), _number(c.impulse, "N s"), _number(c.peak_force, "N"))
         for number, c in enumerate(solution.contacts, 1)
     ]
-    found = solution.diagnostics
+    name, found = family("card.name"), solution.diagnostics
+    error, unknown = found["estimated_error"], family("card.word")["unknown"]
     rows = [
-        ("method", _method(solution.method)),
-        ("in contact for", _number(solution.contact_time, "s")),
-        ("impulse", _quantity(solution.impulse, "N s")),
-        ("peak force", _number(solution.peak_force, "N")),
-        ("impactor leaves at", _quantity(solution.impactor_velocity, "m/s")),
-        ("target moves on at", _quantity(solution.target_velocity, "m/s")),
-        ("deepest indentation", _number(solution.peak_indentation, "m")),
-        *((f"restitution, {name.replace('_', ' ')}", _number(e)) for name, e in solution.restitution.items()),
-        *((f"energy, {name.replace('_', ' ')}", _number(part, "J")) for name, part in solution.energy.items()),
-        ("energy residual", _number(found["energy_error"])),
-        ("momentum residual", _number(found["momentum_error"])),
-        ("estimated error of the velocity", _number(found["estimated_error"], "of the impact speed", "unknown")),
-        ("solved in", _number(found["wall_time"], "s")),
+        (name["method"], _method(solution.method)),
+        (name["contact-time"], _number(solution.contact_time, "s")),
+        (name["impulse"], _quantity(solution.impulse, "N s")),
+        (name["peak-force"], _number(solution.peak_force, "N")),
+        (name["leaves"], _quantity(solution.impactor_velocity, "m/s")),
+        (name["moves-on"], _quantity(solution.target_velocity, "m/s")),
+        (name["indentation"], _number(solution.peak_indentation, "m")),
+        *(
+            (text("card.restitution", by=named("restitution", by)), _number(e))
+            for by, e in solution.restitution.items()
+        ),
+        *(
+            (text("card.energy", part=named("energy", part)), _number(joules, "J"))
+            for part, joules in solution.energy.items()
+        ),
+        (name["energy-error"], _number(found["energy_error"])),
+        (name["momentum-error"], _number(found["momentum_error"])),
+        (name["error"], unknown if error is None else text("card.of-impact-speed", share=_number(error))),
+        (name["solved"], _number(found["wall_time"], "s")),
     ]
-    shown = _table(("contact", "start", "end", "impulse", "peak force"), contacts) + _pairs(rows)
-    return _card("Solution", solution.scene.title, shown, solution.notes)
+    heads = ("contact", "start", "end", "impulse", "peak-force")
+    return _card("solution", solution.scene.title, _table(_named(heads), contacts) + _pairs(rows), solution.notes)
 
 
 def tradeoff_card(found: Any) -> str:
@@ -62,80 +74,84 @@ def tradeoff_card(found: Any) -> str:
             point.label,
             _number(1e3 * point.wall_time, "ms"),
             *(_percent(point.errors.get(quantity)) for quantity in found.quantities),
-            f"{point.true_contacts_found} of {point.true_contacts}",
+            _part(point.true_contacts_found, point.true_contacts),
         )
         for point in sorted(best.values(), key=lambda point: point.wall_time)
     ]
+    name, called = family("card.name"), {key: named("card.quantity", key) for key in found.quantities}
     rows = [
-        ("measured by", found.reference.words if found.reference else "nothing yet"),
-        ("points", f"{len(found.points)}, of which {len(points)} are best for something"),
-        ("took", _number(found.seconds, "s")),
-        ("date", found.date),
-        *((f"error of {name}", words) for name, words in found.quantities.items()),
-        *((f"{name} cannot", str(reason)) for name, reason in found.refused.items()),
+        (name["reference"], found.reference.words if found.reference else family("card.word")["nothing"]),
+        (name["points"], text("card.points", points=len(found.points), best=len(points))),
+        (name["took"], _number(found.seconds, "s")),
+        (name["date"], found.date),
+        *((text("card.error-of", quantity=called[key]), words) for key, words in found.quantities.items()),
+        *((text("card.cannot", name=method), str(reason)) for method, reason in found.refused.items()),
     ]
-    shown = _table(("method", "time", *found.quantities, "true contacts"), points) + _pairs(rows)
-    stopped = [f"Not complete: {found.stopped}."] if found.stopped else []
-    return _card("Cost and accuracy", str(found.scene.get("title", "")), shown, [*stopped, *found.remarks])
+    heads = [name["method"], name["time"], *called.values(), name["true-contacts"]]
+    stopped = [text("card.not-complete", stopped=found.stopped)] if found.stopped else []
+    title = str(found.scene.get("title", ""))
+    return _card("tradeoff", title, _table(heads, points) + _pairs(rows), [*stopped, *found.remarks])
 
 
 def plan_card(plan: Any) -> str:
     """The model chosen, why, and what the others would miss."""
+    name, word = family("card.name"), family("card.word")
     candidates = [
-        (found.model, _percent(found.expected_error), "chosen" if found is plan.chosen else "")
+        (found.model, _percent(found.expected_error), word["chosen"] if found is plan.chosen else "")
         for found in plan.candidates
     ]
     rows = [
-        ("question", plan.question),
-        ("tolerance", _percent(plan.tolerance)),
-        ("chosen", plan.model),
-        ("expected error", _percent(plan.expected_error)),
-        ("next better", plan.next_better.model if plan.next_better else "none"),
-        *((name.replace("_", " "), _number(value)) for name, value in plan.groups.items()),
-        ("why", plan.reason),
+        (name["question"], plan.question),
+        (name["tolerance"], _percent(plan.tolerance)),
+        (name["chosen"], plan.model),
+        (name["expected-error"], _percent(plan.expected_error)),
+        (name["next-better"], plan.next_better.model if plan.next_better else word["none"]),
+        *((named("card.group", group), _number(value)) for group, value in plan.groups.items()),
+        (name["why"], plan.reason),
     ]
-    warnings = [] if plan.measured else ["The scene lies beside what was measured: take the errors as a guess."]
-    shown = _table(("model", "expected error", ""), candidates) + _pairs(rows)
-    return _card("Plan", plan.scene.title, shown, warnings)
+    warnings = [] if plan.measured else [text("card.not-measured")]
+    heads = [name["model"], name["expected-error"], ""]
+    return _card("plan", plan.scene.title, _table(heads, candidates) + _pairs(rows), warnings)
 
 
 def stability_card(found: Any) -> str:
     """How every integrator did over the two axes."""
+    cannot = family("card.word")["cannot"]
     maps = [
         (
             of.label,
-            "cannot" if of.reason else f"{of.failures} of {of.ending.size}",
+            cannot if of.reason else _part(of.failures, of.ending.size),
             "" if of.reason else str(of.stopped),
             "" if of.reason else _percent(of.worst_energy_error),
             str(of.reason or ""),
         )
         for of in found.maps.values()
     ]
-    axes = [
-        (
-            axis.name.replace("_", " "),
-            f"{axis.values.size} from {axis.values[0]:.4g} to {axis.values[-1]:.4g} ({axis.unit}); here {here:.4g}",
-        )
-        for axis, here in zip(found.axes, found.here, strict=True)
-    ]
-    rows = [*axes, ("modes", str(found.modes)), ("most steps of a run", str(found.bound))]
-    head = ("integrator", "failed", "stopped at the bound", "worst energy error", "why not")
-    return _card("Stability", found.scene.title, _table(head, maps) + _pairs(rows), found.notes)
+    name, axis_names = family("card.name"), library(spoken()).family("name.axis")
+    axes = [(axis_names[axis.name], _axis(axis, here)) for axis, here in zip(found.axes, found.here, strict=True)]
+    rows = [*axes, (name["modes"], str(found.modes)), (name["most-steps"], str(found.bound))]
+    heads = _named(("integrator", "failed", "stopped", "worst-energy", "why-not"))
+    return _card("stability", found.scene.title, _table(heads, maps) + _pairs(rows), found.notes)
 
 
 def ensemble_card(found: Any) -> str:
     """The spread of every figure, and what can be trusted."""
     spreads = [
         (
-            f"{row.quantity.replace('_', ' ')} [{row.unit}]" if row.unit else row.quantity.replace("_", " "),
+            _figure(row.quantity, row.unit),
             *(_number(value, unknown="-") for value in (row.unperturbed, row.lowest, row.median, row.highest)),
-            str(row.verdict),
+            named("verdict", row.verdict.replace(" ", "-")),
         )
         for row in found.spread
     ]
-    rows = [("runs", str(found.perturbations.size)), ("varied", found.key), ("method", _method(found.method))]
-    shown = _table(("figure", "unperturbed", "lowest", "median", "highest", "verdict"), spreads) + _pairs(rows)
-    return _card("Ensemble", found.title, shown, [found.summary, *found.notes])
+    name = family("card.name")
+    rows = [
+        (name["runs"], str(found.perturbations.size)),
+        (name["varied"], found.key),
+        (name["method"], _method(found.method)),
+    ]
+    heads = _named(("figure", "unperturbed", "lowest", "median", "highest", "verdict"))
+    return _card("ensemble", found.title, _table(heads, spreads) + _pairs(rows), [found.summary, *found.notes])
 
 
 def convergence_card(found: Any) -> str:
@@ -144,19 +160,21 @@ def convergence_card(found: Any) -> str:
     known = [found.reference] if found.reference else []
     figures = [
         (
-            f"{name.replace('_', ' ')} [{found.units[name]}]" if found.units[name] else name.replace("_", " "),
+            _figure(key, found.units[key]),
             *(_number(float(value)) for value in values),
-            *(_number(beside.get(name), unknown="-") for _ in known),
-            str(found.summary[name]),
+            *(_number(beside.get(key), unknown="-") for _ in known),
+            str(found.summary[key]),
         )
-        for name, values in found.values.items()
+        for key, values in found.values.items()
     ]
-    head = (found.kind, *(f"{count:g}" for count in found.counts), *known, "")
-    return _card("Convergence", found.title, _table(head, figures) + _pairs([("method", found.method)]), [])
+    heads = [named("convergence.kind", found.kind), *(shown(count, "g") for count in found.counts), *known, ""]
+    rows = [(family("card.name")["method"], found.method)]
+    return _card("convergence", found.title, _table(heads, figures) + _pairs(rows), [])
 
 
 def sweep_card(found: Any) -> str:
     """A row for each value."""
+    unknown = family("card.word")["unknown"]
     rows = [
         (
             _number(row["value"]),
@@ -166,39 +184,41 @@ def sweep_card(found: Any) -> str:
             _number(row["peak_force"], unknown="-"),
             _quantity(tuple(v) if isinstance(v := row["impactor"]["final_velocity"], list) else v, ""),
             _number(row["restitution"]["newton"], unknown="-"),
-            _number(row["estimated_error"], unknown="unknown"),
+            _number(row["estimated_error"], unknown=unknown),
         )
         for row in found
     ]
-    head = (found.key, "contacts", "in contact [s]", "impulse [N s]", "peak force [N]", "leaves at [m/s]")
-    return _card("Sweep", "", _table((*head, "restitution", "estimated error"), rows), [])
+    heads = ("contacts", "seconds", "newton-seconds", "newtons", "metres-per-second", "restitution", "own-error")
+    return _card("sweep", "", _table([found.key, *_named(heads)], rows), [])
 
 
 def comparison_card(found: Any) -> str:
     """What every method misses and costs."""
+    cannot = family("card.word")["cannot"]
     rows = [
-        (row.label, "cannot", "", "", "", str(row.reason))
+        (row.label, cannot, "", "", "", str(row.reason))
         if row.reason is not None
         else (
             row.label,
             _percent(row.rebound_error),
-            f"{row.true_contacts_found} of {row.true_contacts}",
+            _part(row.true_contacts_found, row.true_contacts),
             "-" if row.force_error is None else _percent(row.force_error),
             _number(1e3 * (row.wall_time or 0.0), "ms"),
             "",
         )
         for row in found
     ]
-    head = ("method", "error of the rebound", "true contacts", "error of the force", "time", "why not")
-    measured = [("measured by", _method(found.exact.method)), ("its rebound", _number(found.rebound, "m/s"))]
-    return _card("Comparison", found.exact.scene.title, _table(head, rows) + _pairs(measured), [])
+    heads = _named(("method", "rebound-error", "true-contacts", "force-error", "time", "why-not"))
+    name = family("card.name")
+    measured = [(name["reference"], _method(found.exact.method)), (name["rebound"], _number(found.rebound, "m/s"))]
+    return _card("comparison", found.exact.scene.title, _table(heads, rows) + _pairs(measured), [])
 
 
 # --- HTML -------------------------------------------------------------------------------------------------------------
 
 
 def _card(kind: str, title: str, body: str, notes: Sequence[Any]) -> str:
-    head = f"<p><strong>{kind}</strong> {escape(title)}</p>"
+    head = f"<p><strong>{family('card.kind')[kind]}</strong> {escape(title)}</p>"
     listed = "".join(f"<li>{escape(str(note))}</li>" for note in notes)
     return f"<div>{head}{body}{f'<ul>{listed}</ul>' if listed else ''}</div>"
 
@@ -218,38 +238,52 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 # --- words ------------------------------------------------------------------------------------------------------------
 
 
+def _named(keys: Iterable[str]) -> list[str]:
+    names = family("card.name")
+    return [names[key] for key in keys]
+
+
+def _figure(key: str, unit: str | None) -> str:
+    return named("quantity", key) + (f" [{unit}]" if unit else "")
+
+
+def _axis(axis: Any, here: float) -> str:
+    low, high, at = (shown(value, ".4g") for value in (axis.values[0], axis.values[-1], here))
+    return text("card.axis", count=axis.values.size, low=low, high=high, unit=axis.unit, here=at)
+
+
+def _part(count: int | None, of: int | None) -> str:
+    return text("card.of", count=str(count), all=str(of))
+
+
 def _number(value: float | None, unit: str = "", unknown: str = "") -> str:
-    return unknown if value is None else f"{value:.6g} {unit}".rstrip()
+    return unknown if value is None else f"{shown(value, '.6g')} {unit}".rstrip()
 
 
 def _percent(share: float | None) -> str:
     if share is None or math.isnan(share):
-        return "not known"
-    return "cannot predict" if math.isinf(share) else f"{100.0 * share:.3g} %"
-
-
-def _vector(values: Sequence[float]) -> str:
-    return "(" + ", ".join(f"{value + 0.0:.6g}" for value in values) + ")"
+        return text("card.not-known")
+    return text("card.cannot-predict") if math.isinf(share) else f"{shown(100.0 * share, '.3g')} %"
 
 
 def _quantity(value: Any, unit: str) -> str:
-    return f"{_vector(value)} {unit}" if isinstance(value, tuple) else _number(value, unit)
+    return f"{vector(value)} {unit}".rstrip() if isinstance(value, tuple) else _number(value, unit)
 
 
 def _body(body: Any, normal: Any) -> str:
-    shown = [body.kind]
+    parts = [body.kind]
     if math.isfinite(body.mass):
-        shown.append(_number(body.mass, "kg"))
+        parts.append(_number(body.mass, "kg"))
     if body.length:
-        shown.append(f"length {_number(body.length, 'm')}")
+        parts.append(text("card.length", length=_number(body.length, "m")))
     if body.kind == "pulse":
-        shown.append(f"largest force {_number(max(body.forces), 'N')}")
+        parts.append(text("card.largest-force", force=_number(max(body.forces), "N")))
     elif normal is not None or body.velocity:
-        shown.append("velocity " + _quantity(body.velocity, "m/s"))
-    return ", ".join(shown)
+        parts.append(text("card.velocity", velocity=_quantity(body.velocity, "m/s")))
+    return listed(parts)
 
 
 def _method(method: Any) -> str:
     options = {key: value for key, value in method.items() if key != "name" and value is not None}
-    shown = (f"{key} {value:g}" if type(value) in (int, float) else f"{key} {value}" for key, value in options.items())
-    return ", ".join((str(method["name"]), *shown))
+    parts = (f"{key} {value:g}" if type(value) in (int, float) else f"{key} {value}" for key, value in options.items())
+    return ", ".join((str(method["name"]), *parts))

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+# Long names are in English in every language: they go into files of arrays (netCDF), which others read elsewhere.
 PARTS = {
     "impactor": "kinetic and elastic energy of the impactor",
     "target_rigid": "energy of the target moving as a whole",

@@ -45,6 +45,8 @@ FORMATS: dict[str, Callable[[Any], str]] = {
     "method": lambda label: f"'{label}'",  # of a method, with its resolution
     "law": lambda name: f"'{name}'",
     "kind": str,  # of a body
+    "link": str,  # of a mechanism, by its name
+    "links": ", ".join,
 }
 
 

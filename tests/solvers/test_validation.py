@@ -7,6 +7,7 @@ import pickle
 import pytest
 
 from solvers import Scene, SceneError
+from solvers.validation import shown
 from tests.catalog import SCENES, WITH_INDENTATION, contact_table
 from tests.solvers.plain_scene import PLAIN, with_value
 
@@ -189,3 +190,8 @@ def test_a_refusal_passes_from_process_to_process_and_shows_itself():
     again = pickle.loads(pickle.dumps(refused.value))
     assert type(again) is SceneError and str(again) == str(refused.value) and again.value == "red"
     assert repr(again) == f"SceneError({str(again)!r})"
+
+
+def test_what_is_too_long_to_write_is_shown_without_a_word_of_any_language():
+    huge = 10**5000
+    assert [shown(value) for value in (huge, [huge], {"a": huge})] == ["...", "[...]", "{...}"]

@@ -24,7 +24,7 @@ const KEYS = [
 ];
 const FINGERS = ['clock', 'zoom', 'striker', 'events', 'tabs'];
 const PARTS = ['bar', 'picture', 'rows', 'closer', 'clock', 'controls', 'charts', 'story', 'numbers', 'analysis'];
-const DOCUMENTS = ['page', 'scenes', 'records', 'how-it-is-computed', 'how-exact', 'command-line'];
+const DOCUMENTS = ['page', 'lessons', 'scenes', 'records', 'how-it-is-computed', 'how-exact', 'command-line'];
 
 /** Where the documentation is served, or nothing. */
 const documentation = () => JSON.parse(document.getElementById('session')?.textContent || '{}').documentation ?? '';
@@ -85,9 +85,10 @@ export class Help {
   /** @param {string} address */
   #links(address) {
     const pages = family('help.page');
+    const addresses = family('help.address');
     const link = (/** @type {string} */ name) =>
       make('a', {
-        href: new URL(`${name}.html`, `${address.replace(/\/*$/, '')}/`).href,
+        href: new URL(addresses[name], `${address.replace(/\/*$/, '')}/`).href,
         target: '_blank',
         rel: 'noopener',
         textContent: text('help.document', { page: pages[name] }),

@@ -2,6 +2,7 @@
 // where a mass is that has left the picture.
 import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
+import { linkOf } from '../text/words.js';
 import { ARROW, arrow, awayOf } from '../beam/flown.js';
 
 /** @import { Context, Mechanism, Point } from './mechanism.js' */
@@ -140,7 +141,8 @@ export class Labels {
     c.lineWidth = 3;
     c.strokeStyle = 'rgba(255,255,255,.85)';
     c.fillStyle = COLORS.faint;
-    linkage.links.forEach(({ name }, n) => {
+    linkage.links.forEach((link, n) => {
+      const name = linkOf(link.name);
       const half = 0.5 * c.measureText(name).width;
       const places = this.#places(n, half);
       const boxOf = (/** @type {number} */ k) => {

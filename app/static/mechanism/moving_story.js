@@ -5,7 +5,7 @@ import { showEnergy } from '../frame/story.js';
 import { unitOfTime } from '../clock/times.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, speed } from '../text/format.js';
-import { jointOf } from '../text/words.js';
+import { jointOf, linkOf } from '../text/words.js';
 
 /** @import { MechanismFrame } from '../messages.js' */
 /** @import { Event } from '../frame/story.js' */
@@ -23,7 +23,7 @@ const OF_COLOURS = { links: 'target_rigid' }; // parts that have the colour of a
 function tell(code, frame, values = {}) {
   const { links, struck } = frame.mechanism;
   return text(`motion.${code}`, {
-    ...{ striker: frame.impactor.kind, link: links[struck].name, contacts: frame.main.contacts },
+    ...{ striker: frame.impactor.kind, link: linkOf(links[struck].name), contacts: frame.main.contacts },
     ...{ time: duration(frame.duration), ...values },
   });
 }

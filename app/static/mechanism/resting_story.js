@@ -3,7 +3,7 @@ import { headOf, make, rowOf } from '../browser/dom.js';
 import { heading, scrolled } from '../frame/story.js';
 import { family, text } from '../text/catalogue.js';
 import { duration, engineering, figures, speed } from '../text/format.js';
-import { jointOf } from '../text/words.js';
+import { jointOf, linkOf } from '../text/words.js';
 
 /** @import { MechanismFrame } from '../messages.js' */
 /** @import { Event } from '../frame/story.js' */
@@ -18,7 +18,7 @@ const LISTED = 4; // contacts that are described one by one
  */
 function tell(code, frame, values = {}) {
   const { links, struck } = frame.mechanism;
-  return text(`beam.mechanism.${code}`, { striker: frame.impactor.kind, link: links[struck].name, ...values });
+  return text(`beam.mechanism.${code}`, { striker: frame.impactor.kind, link: linkOf(links[struck].name), ...values });
 }
 
 /**

@@ -1,7 +1,7 @@
 // What the opening draws of a mechanism below its stage: impulses or force, the gap, the bending of a link, a pin.
 import { boxOf } from '../charts/scale.js';
 import { given } from '../wire/message.js';
-import { byOf, called, jointOf } from '../text/words.js';
+import { byOf, called, jointOf, linkOf } from '../text/words.js';
 import { text } from '../text/catalogue.js';
 import { unitOfTime } from '../clock/times.js';
 import { valuesOf } from './reactions.js';
@@ -52,7 +52,7 @@ export function tracksOf(frame, field, forces, stretch, largest) {
   const struck = mechanism.links[mechanism.struck];
   if (struck.flexible && field.has('moment'))
     tracks.push({
-      ...{ title: text('opening.track.bends', { link: struck.name }), share: SHARES.bends },
+      ...{ title: text('opening.track.bends', { link: linkOf(struck.name) }), share: SHARES.bends },
       ...{ range: [0, beam.length], unit: 'm', marks: [mechanism.at] },
       rows: { field, what: 'moment', largest, duration },
     });

@@ -3,7 +3,7 @@ import { Figure } from '../charts/figure.js';
 import { make } from '../browser/dom.js';
 import { family, said, text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
-import { GROUND } from '../text/words.js';
+import { GROUND, linkOf } from '../text/words.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
@@ -66,7 +66,7 @@ class Joints extends Panel {
   }
   /** @param {Joint} found */
   #sentence({ bend, kind, links, axial }) {
-    const [first, second] = links;
+    const [first, second] = links.map(linkOf);
     const turned = Math.abs(axial.transmitted_bending[0]);
     return { first, second, kind, bend: Math.abs(bend), turned };
   }

@@ -136,6 +136,8 @@ const FORMATS = {
   method: (label) => described(label),
   law: (name) => named('law', name),
   kind: (name) => texts[`bodies.kind.${name}`] ?? name,
+  link: (name) => named('link', name),
+  links: (names) => names.map((/** @type {string} */ name) => named('link', name)).join(', '),
   model: (parts) => modelled(parts),
   figures: (names) => names.map((/** @type {string} */ name) => named('figure', name)).join(', ') || text('nothing'),
   error: (error) => (error === 0 ? text('nothing') : share(error)),

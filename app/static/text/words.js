@@ -1,5 +1,5 @@
 // What choices and their values are called on the page.
-import { family, methodOf, text } from './catalogue.js';
+import { family, methodOf, named, text } from './catalogue.js';
 import { share } from './format.js';
 
 /** @typedef {{ name: string, modes?: number | null, elements?: number | null, model?: string | null }} Called */
@@ -43,7 +43,13 @@ export const LABELS = Object.fromEntries(Object.keys(family('control')).map((nam
 
 export const GROUND = 'ground'; // as the link that stands still is called
 /**
+ * What a link is called: those of scenes that come with the program in the language of the page.
+ * @param {string} name
+ */
+export const linkOf = (name) => named('link', name);
+
+/**
  * What links, or the parts of a name, are called.
  * @param {string[]} links
  */
-export const jointOf = (links) => links.map((each) => (each === GROUND ? text('bodies.ground') : each)).join(' – ');
+export const jointOf = (links) => links.map(linkOf).join(' – ');

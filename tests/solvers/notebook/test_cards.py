@@ -5,6 +5,7 @@ from xml.etree import ElementTree
 import pytest
 
 import solvers
+from solvers.text.catalogue import CHOSEN
 from tests.catalog import SCENES, struck_rod
 
 HOSTILE = "<script>alert('&')</script>"
@@ -90,3 +91,19 @@ def test_a_stability_map_shows_every_integrator():
         assert of.label in reported
         assert f"{of.failures} of 9" in reported or str(of.reason) in reported
     assert set(map(str, found.notes)) <= set(reported)
+
+
+def test_cards_are_in_the_language_of_the_process(monkeypatch):
+    """Its heads and rows, and its decimal sign; keys of scene files stay as they are typed."""
+    scene = struck_rod(mass_ratio=2.0)
+    english = {
+        "mass ratio, target / impactor",
+        "peak force",
+        "impactor leaves at",
+        "speed of approach",
+        "true contacts",
+    }
+    monkeypatch.setenv(CHOSEN, "es")
+    shown = cells(scene) + cells(solvers.solve(scene)) + cells(solvers.compare(scene, ["modal", "rigid"], repeats=1))
+    assert {"razón de masas, golpeado / impactor2", "mass; 1,0665 kg; velocidad 1 m/s"} <= {*shown}
+    assert [text for text in shown if any(text.startswith(words) for words in english)] == []
