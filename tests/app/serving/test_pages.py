@@ -116,7 +116,8 @@ def test_the_gallery_is_the_same_packed_or_not_and_asked_for_again_if_it_has_cha
 
 
 def test_the_gallery_names_lessons_in_the_language_that_is_asked_for(server):
-    titles = {language: dict(json.load(fetched(server, f"gallery/{language}"))["lessons"]) for language in ("en", "es")}
+    lessons = {language: json.load(fetched(server, f"gallery/{language}"))["lessons"] for language in ("en", "es")}
+    titles = {language: {each["name"]: each["title"] for each in found} for language, found in lessons.items()}
     assert titles["es"]["bounce-twice"] != titles["en"]["bounce-twice"]
     with pytest.raises(urllib.error.HTTPError, match="404"):
         fetched(server, "gallery/tlh")
