@@ -11,7 +11,7 @@ const MOST = 9; // of one kind
 const IMPACT = 2; // of bodies in space: how far their clock runs through the impulse
 
 /** @param {Frame} frame @returns {SpaceFrame | null} */
-const spaceOf = (frame) => (frame.kind === 'bodies' ? frame : null);
+const spaceOf = (frame) => ('sliding' in frame ? frame : null);
 
 /** @param {Frame} frame @returns {BendingFrame | null} */
 const bendingOf = (frame) => ('main' in frame ? frame : null);

@@ -55,7 +55,7 @@ def test_all_that_is_wrong_is_answered_by_line(server):
 
 
 def test_what_its_scenes_do_not_do_is_answered_by_line(server):
-    unsolved = fence("scene", 'scene = "two-balls"\nchanges = { law = "rigid" }')
+    unsolved = fence("scene", 'scene = "newtons-cradle"\nchanges = { law = "rigid" }')
     status, answer = post(server, (HEAD + unsolved + fence("scene", 'at = "touch-9"')).encode())
     assert status == 200 and answer["problems"][0][0] == 8
     assert answer["problems"][0][1].startswith("the scene of this step cannot be sol")
