@@ -7,6 +7,7 @@ const BROWSER = [
   ...['setTimeout', 'clearTimeout', 'clearInterval', 'AbortSignal', 'requestAnimationFrame', 'cancelAnimationFrame'],
   ...[
     'MediaRecorder',
+    'MutationObserver',
     'ResizeObserver',
     'matchMedia',
     'Node',

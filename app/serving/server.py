@@ -100,8 +100,7 @@ def build(
         shell(True, language)
     pack()
     secret = secrets.token_bytes(32)
-    if sockets is not None:
-        install.listen_on(sockets)
+    install.listen_on(sockets)
     server = pn.io.server.get_server(
         {"/": create},
         port=port,

@@ -1,5 +1,6 @@
 // At the end of a lesson: what was said, and what is so, side by side.
 import { make } from '../browser/dom.js';
+import { lessonAt } from '../frame/address.js';
 import { text } from '../text/catalogue.js';
 import { handed } from './handed.js';
 import { elementsOf } from './nodes.js';
@@ -27,7 +28,7 @@ export function summaryOf(lesson, part) {
       return make('section', { className: 'lesson-sum' }, make('h3', {}, back), make('dl', {}, ...rows));
     }),
   );
-  const onward = make('a', { href: `?lesson=${next}`, textContent: text('lesson.follows', { title }) });
+  const onward = make('a', { href: lessonAt(next), textContent: text('lesson.follows', { title }) });
   const end = make('p', { className: 'lesson-end' }, ...elementsOf(part.say));
   return make('div', {}, end, ...parts, handed(lesson), ...(next ? [make('p', {}, onward)] : []));
 }
