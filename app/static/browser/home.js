@@ -7,7 +7,8 @@
 /**
  * @typedef {object} Carried  what came with a page that has no server, see app/serving/folder.py
  * @property {Spec} spec
- * @property {Listed} gallery
+ * @property {Listed & { lacking: number }} gallery  `lacking`: lessons that need a server
+ * @property {Record<string, import('../lesson/lesson.js').Record_>} lessons  by name
  * @property {string} kernels  fingerprint of their sources
  * @property {string} laboratory  address of one with a server, or nothing
  * @property {ArrayBuffer[]} messages  one of each scene

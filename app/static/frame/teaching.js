@@ -20,8 +20,18 @@ export function lessonIn(search) {
   const query = new URLSearchParams(search);
   const reads = query.has('class');
   const name = query.get(reads ? 'class' : 'lesson');
-  if (name === null || !alone || carried) return null;
+  if (name === null || !alone || (carried && reads)) return null;
   return { name, step: Math.trunc(Number(query.get('step')) || 1), language: query.get('language') ?? '', reads };
+}
+
+/**
+ * One that came with the page.
+ * @param {import('../browser/home.js').Carried} came
+ * @param {string} name
+ */
+function recordOf({ lessons }, name) {
+  if (!Object.hasOwn(lessons, name)) throw new RangeError();
+  return lessons[name];
 }
 
 export class Teaching {
@@ -73,7 +83,8 @@ export class Teaching {
       this.asked = this.lesson = null;
       page.player.bound(Infinity);
       const unknown = error instanceof RangeError;
-      page.complain(text(unknown ? 'lesson.unknown' : 'lesson.lost', { lesson: asked.name.slice(0, 60) }));
+      const why = carried ? 'offline.lesson' : unknown ? 'lesson.unknown' : 'lesson.lost';
+      page.complain(text(why, { lesson: asked.name.slice(0, 60), laboratory: Boolean(carried?.laboratory) }));
       page.layout.place();
       page.tell();
     }
@@ -85,6 +96,7 @@ export class Teaching {
    */
   async #record({ language, name }) {
     if (!NAME.test(name)) throw new RangeError();
+    if (carried) return recordOf(carried, name);
     const address = served(`lessons/${name}`);
     if (language) address.searchParams.set('language', language);
     const answer = await fetch(address);

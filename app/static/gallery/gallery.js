@@ -253,7 +253,10 @@ function lessonsOf({ lessons }) {
   const links = (alone ? lessons : []).map(([name, title]) =>
     make('li', {}, make('a', { href: lessonAt(name), className: 'entry', textContent: title })),
   );
-  return make('section', {}, make('h3', { textContent: text('gallery.lessons') }), make('ul', {}, ...links));
+  const more = { count: carried?.gallery.lacking ?? 0, laboratory: Boolean(carried?.laboratory) };
+  const others = more.count ? [make('p', { className: 'help', textContent: text('offline.lessons', more) })] : [];
+  const list = make('ul', {}, ...links);
+  return make('section', {}, make('h3', { textContent: text('gallery.lessons') }), list, ...others);
 }
 
 /**

@@ -1,6 +1,6 @@
 // At the end of a lesson: the code of all answers, which a student may give to a teacher. Nothing of it is sent.
 import { make } from '../browser/dom.js';
-import { framed } from '../browser/home.js';
+import { carried, framed } from '../browser/home.js';
 import { text } from '../text/catalogue.js';
 import { mainButton } from './answered.js';
 import { codeOf, SALTS, givenOf } from './code.js';
@@ -53,6 +53,6 @@ export function handed(lesson) {
     lesson.speak(code?.textContent ?? '');
   });
   button.classList.add('plain');
-  const root = make('section', { className: 'class-handed' }, button, make('p', {}, teacher));
+  const root = make('section', { className: 'class-handed' }, button, ...(carried ? [] : [make('p', {}, teacher)]));
   return root;
 }
