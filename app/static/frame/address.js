@@ -95,10 +95,10 @@ export function queryOf(page, moment = false, spoken = SPOKEN) {
 export const choicesText = ({ frame, model }) => new URLSearchParams(choicesOf(model, frame)).toString();
 
 /**
- * Of another lesson; what is in a frame stays there.
- * @param {string} name
+ * Of a lesson, or of the page as it begins, in the same language; what is in a frame stays there.
+ * @param {string} [name]
  */
-export const lessonAt = (name) => here([`lesson=${name}`, ...(SPOKEN ? [`language=${SPOKEN}`] : [])]);
+export const lessonAt = (name) => here([name ? `lesson=${name}` : '', SPOKEN && `language=${SPOKEN}`]);
 
 /**
  * Of the page as it is, which the browser has.

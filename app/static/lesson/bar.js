@@ -1,6 +1,7 @@
 // In the bar: which lesson this is, its steps, and ways to begin again and to leave it.
 import { make } from '../browser/dom.js';
 import { framed } from '../browser/home.js';
+import { lessonAt } from '../frame/address.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Lesson } from './lesson.js' */
@@ -21,7 +22,7 @@ export class Bar {
       return button;
     };
     const again = act('⟲', 'lesson.again', () => this.#again(again));
-    const leave = act('✕', 'lesson.leave', () => location.assign(location.pathname));
+    const leave = act('✕', 'lesson.leave', () => location.assign(lessonAt()));
     const acts = make('div', { className: 'lesson-acts' }, again, ...(framed ? [] : [leave]));
     this.root = make('div', { className: 'lesson-bar' }, this.name, list, acts);
   }
