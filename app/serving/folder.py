@@ -26,7 +26,7 @@ from ..text.catalogues import direction, page
 from ..wasm.covered import covered_of
 from ..wasm.module import MODULE, named_in, sources
 from .bundle import function
-from .pages import LATE_SHEETS, SHEETS, text_of
+from .pages import LATE, SHEETS, text_of
 from .still import first_still
 
 HERE = Path(__file__).parent
@@ -86,7 +86,8 @@ def export(folder: Path, laboratory: str, language: str, lessons: bool = False) 
         raise OutOfDate
     names = covered_of(SCENES)
     taught = _lessons(language) if lessons else {}
-    sheets = ["gallery/gallery.css", *(each for each in sorted(LATE_SHEETS) if taught and each.startswith("lesson/"))]
+    of_lessons = sorted(each for each in LATE if each.startswith("lesson/") and each.endswith(".css"))
+    sheets = ["gallery/gallery.css", *(of_lessons if taught else ())]
     entries = (*OF_LESSONS, *ENTRIES) if taught else ENTRIES
     files = {
         "index.html": _document(language).encode(),
