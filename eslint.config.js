@@ -8,6 +8,7 @@ const BROWSER = [
   ...[
     'MediaRecorder',
     'AbortController',
+    'MutationObserver',
     'ResizeObserver',
     'matchMedia',
     'Node',

@@ -12,6 +12,9 @@ from solvers import SceneError
 from .words import text
 
 DEFAULT_PORT = 5006
+# https, or http of this machine alone; a star stands for what is before a name of two parts at least
+LONGEST_ORIGIN = 262  # with scheme and port
+FRAME_ORIGIN = r"(https://(\*\.(?=[^.:]+\.))?[a-z0-9-]+(\.[a-z0-9-]+)*|http://(localhost|127\.0\.0\.1))(:(\d{1,5}))?"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -19,6 +22,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--address", help=text("help.serve.address"))
     origin = text("help.serve.origin")
     parser.add_argument("--allow-origin", action="append", metavar="HOST[:PORT]", help=origin)
+    frames = text("help.serve.frames")
+    parser.add_argument("--frame-origin", action="append", metavar="ORIGIN", help=frames)
     parser.add_argument("--behind", action="append", metavar="ADDRESS[/BITS]", help=text("help.serve.behind"))
     parser.add_argument("--warm", action="store_true", help=text("help.serve.warm"))
     parser.set_defaults(run=_run)
@@ -38,6 +43,7 @@ def _run(options: argparse.Namespace) -> int:
         host, _, origin_port = origin.partition(":")
         if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
             raise SceneError("--allow-origin", origin, text("wanted.origin"))
+    frames = _frame_origins(options)
     documentation = os.environ.get("IMPACT_DOCUMENTATION", "")
     if documentation and not re.fullmatch(r"https?://[^\s/]+(/\S*)?", documentation):
         raise SceneError("IMPACT_DOCUMENTATION", documentation, text("wanted.documentation"))
@@ -56,7 +62,17 @@ def _run(options: argparse.Namespace) -> int:
     sockets = _port(int(port), address)
     from ..serving.server import serve
 
-    return serve(int(port), address, origins, proxies, sockets)
+    return serve(int(port), address, origins, proxies, sockets, frames)
+
+
+def _frame_origins(options: argparse.Namespace) -> list[str]:
+    """Sites that may have the page in a frame, as a content policy names them."""
+    origins = [each.lower() for each in _several(options.frame_origin, "IMPACT_FRAME_ORIGINS")]
+    for origin in origins:
+        found = re.fullmatch(FRAME_ORIGIN, origin, re.ASCII) if len(origin) <= LONGEST_ORIGIN else None
+        if not found or int(found.groups()[-1] or 1) not in range(1, 65536):
+            raise SceneError("--frame-origin", origin, text("wanted.frame-origin"))
+    return origins
 
 
 def _port(port: int, address: str) -> list[socket.socket]:

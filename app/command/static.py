@@ -14,6 +14,7 @@ from .words import text
 def add_export_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("folder", metavar="FOLDER", help=text("help.export-static.folder"))
     parser.add_argument("--laboratory", default="", metavar="URL", help=text("help.export-static.laboratory"))
+    parser.add_argument("--lessons", action="store_true", help=text("help.export-static.lessons"))
     parser.set_defaults(run=_export)
 
 
@@ -30,13 +31,14 @@ def _export(options: argparse.Namespace) -> int:
 
     folder = Path(options.folder)
     try:
-        done = export(folder, options.laboratory, language_for(spoken()))
+        done = export(folder, options.laboratory, language_for(spoken()), options.lessons)
     except OutOfDate:
         raise Refused(text("run.kernels-out-of-date")) from None
     except OSError as error:
         raise SceneError("FOLDER", options.folder, text("wanted.own-folder", why=error.strerror)) from None
     size = done.bytes / 1000
-    print(text("run.exported", page=str(folder / "index.html"), scenes=done.scenes, all=done.of, size=size))
+    counts = {"scenes": done.scenes, "all": done.of, "lessons": done.lessons}
+    print(text("run.exported", page=str(folder / "index.html"), size=size, **counts))
     return 0
 
 

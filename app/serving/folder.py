@@ -15,6 +15,9 @@ from solvers.numerics.waves.chain_drawn import MOST_RODS
 
 from ..choices.choices import SCENES, Choices
 from ..choices.scene_of import choices_of
+from ..lessons.alone import runs_alone
+from ..lessons.record import lesson_record
+from ..lessons.shipped import lesson_names, shipped_lesson
 from ..messages.encoding import arrays_of, read_header, whole_numbers
 from ..messages.solve import solve_frame
 from ..page.lab import STATIC, spec_of_choices
@@ -23,12 +26,14 @@ from ..text.catalogues import direction, page
 from ..wasm.covered import covered_of
 from ..wasm.module import MODULE, named_in, sources
 from .bundle import function
-from .pages import SHEETS, text_of
+from .pages import LATE, SHEETS, text_of
 from .still import first_still
 
 HERE = Path(__file__).parent
 # of which those before the last come late where there is a server
 ENTRIES = ("gallery/gallery.js", "take/files.js", "offline/page.js")
+OF_LESSONS = ("lesson/lesson.js", "courses/courses.js")  # before these, and the sheets of both
+TEXTS_OF_LESSONS = ("lesson.", "class.")
 WITHOUT = ("mechanism", "space")  # kinds of scene that no kernel here answers
 CYCLE = ("cycleDepth", "cycleLoading", "cycleUnloading", "blowForce", "touchTime", "touchPressure")
 REMADE = {  # by kind of message: histories that kernels make anew, or that only a server has of other choices
@@ -66,11 +71,13 @@ class OutOfDate(Exception):
 class Exported(NamedTuple):
     scenes: int
     of: int  # scenes
+    lessons: int
     bytes: int  # of all files
 
 
-def export(folder: Path, laboratory: str, language: str) -> Exported:
-    """Write it; `laboratory`: the address of one with a server, which it then leads to, or nothing.
+def export(folder: Path, laboratory: str, language: str, lessons: bool = False) -> Exported:
+    """Write it; `laboratory`: the address of one with a server, which it then leads to, or nothing; `lessons`: with
+    those that need no server.
 
     Raises OutOfDate, and OSError for a folder that cannot be written.
     """
@@ -78,19 +85,22 @@ def export(folder: Path, laboratory: str, language: str) -> Exported:
     if named_in(kernels) != sources():
         raise OutOfDate
     names = covered_of(SCENES)
+    taught = _lessons(language) if lessons else {}
+    of_lessons = sorted(each for each in LATE if each.startswith(("lesson/", "courses/")) and each.endswith(".css"))
+    sheets = ["gallery/gallery.css", *(of_lessons if taught else ())]
+    entries = (*OF_LESSONS, *ENTRIES) if taught else ENTRIES
     files = {
         "index.html": _document(language).encode(),
         "kernels.js": script("strikewaveKernels", kernels),
-        "scenes.js": _scenes(names, laboratory, language),
-        "page.js": function(STATIC, ENTRIES, "strikewavePage", WITHOUT).encode(),
+        "scenes.js": _scenes(names, laboratory, language, taught),
+        "page.js": function(STATIC, entries, "strikewavePage", WITHOUT).encode(),
         "start.js": text_of(STATIC / "offline/start.js"),
-        SHEETS: text_of(STATIC / SHEETS),
-        "gallery/gallery.css": text_of(STATIC / "gallery/gallery.css"),
+        **{name: text_of(STATIC / name) for name in (SHEETS, *sheets)},
     }
     for name, content in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(content)
-    return Exported(len(names), len(SCENES), sum(map(len, files.values())))
+    return Exported(len(names), len(SCENES), len(taught), sum(map(len, files.values())))
 
 
 def _document(language: str) -> str:
@@ -113,8 +123,14 @@ def _document(language: str) -> str:
     return text
 
 
-def _scenes(names: list[str], laboratory: str, language: str) -> bytes:
-    """A script with texts, choices and a message of each scene, packed: a head in JSON, then the headers of all
+def _lessons(language: str) -> dict[str, Any]:
+    """Records, by name, of those that a browser runs by itself, in this language if there is a translation."""
+    found = [shipped_lesson(name, language) for name in lesson_names()]
+    return {each.lesson: lesson_record(each) for each in found if runs_alone(each)}
+
+
+def _scenes(names: list[str], laboratory: str, language: str, lessons: dict[str, Any]) -> bytes:
+    """A script with texts, lessons, choices and a message of each scene, packed: a head in JSON, then headers of all
     messages, which are much alike, then their arrays, of which many have the same.
     """
     parts = [_parts_of(solve_frame(Choices(scene=name, **choices_of(name)).chosen())) for name in names]
@@ -124,9 +140,10 @@ def _scenes(names: list[str], laboratory: str, language: str) -> bytes:
     known = {law["name"] for header, _ in parts for law in json.loads(header)["laws"]}
     laws = [name for name in spec["law"]["options"] if name in known]
     head = {
-        "texts": {"language": language, "texts": _texts(language)},
+        "texts": {"language": language, "texts": _texts(language, bool(lessons))},
         "spec": spec | {"scene": spec["scene"] | {"options": names}, "law": spec["law"] | {"options": laws}},
-        "gallery": _gallery(set(names)),
+        "gallery": _gallery(set(names), lessons, language),
+        "lessons": lessons,
         "kernels": sources(),
         "laboratory": laboratory,
         "messages": messages,
@@ -137,9 +154,10 @@ def _scenes(names: list[str], laboratory: str, language: str) -> bytes:
     return script("strikewavePacked", len(text).to_bytes(4, "little") + text + headers + b"".join(pool))
 
 
-def _texts(language: str) -> dict[str, str]:
-    """Of the page, but for lessons and classes, which a server gives."""
-    return {code: text for code, text in page(language).texts.items() if not code.startswith(("lesson.", "class."))}
+def _texts(language: str, lessons: bool) -> dict[str, str]:
+    """Of the page, but for those of lessons where there are none."""
+    texts = page(language).texts
+    return {code: text for code, text in texts.items() if lessons or not code.startswith(TEXTS_OF_LESSONS)}
 
 
 def script(name: str, content: bytes) -> bytes:
@@ -154,13 +172,15 @@ def script(name: str, content: bytes) -> bytes:
     return f'\ufeffglobalThis.{name} = [{len(whole)}, "{letters}"];\n'.encode("utf-16-le")
 
 
-def _gallery(names: set[str]) -> dict[str, Any]:
-    """The gallery of these scenes alone."""
-    whole = gallery()
+def _gallery(names: set[str], lessons: dict[str, Any], language: str) -> dict[str, Any]:
+    """The gallery of these scenes and lessons alone; `lacking`: how many lessons need a server."""
+    whole = gallery(language)
+    listed = [each for each in whole["lessons"] if each["name"] in lessons]
     cards = [[group, [each for each in all_of if each in names]] for group, all_of in whole["cards"]]
     scenes = [[heading, [each for each in all_of if each[0] in names]] for heading, all_of in whole["scenes"]]
     return whole | {
-        "lessons": [],  # which a server gives
+        "lessons": listed,
+        "lacking": len(whole["lessons"]) - len(listed),
         "cards": [each for each in cards if each[1]],
         "scenes": [each for each in scenes if each[1]],
         "pictures": {name: picture for name, picture in whole["pictures"].items() if name in names},

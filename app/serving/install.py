@@ -27,8 +27,10 @@ def install() -> None:
     httputil.parse_qs_bytes = _first_fields(parse_qs_bytes)  # pyright: ignore[reportPrivateImportUsage]
 
 
-def listen_on(sockets: list[socket]) -> None:
-    """Have the next server of Bokeh take these sockets, which are bound already."""
+def listen_on(sockets: list[socket] | None) -> None:
+    """Have the next server of Bokeh take these sockets, which are bound already; without any it binds its own."""
+    if sockets is None:
+        return
 
     def take(address: str | None, port: int) -> tuple[list[socket], int]:
         bokeh_server.bind_sockets = bind_sockets  # pyright: ignore[reportPrivateImportUsage]

@@ -70,7 +70,7 @@ FILES = {ENTRY, SHEETS, "example-record.csv", *OF_THE_DOCUMENT, *OF_ANOTHER_PAGE
 POLICY = (
     "default-src 'none'; script-src 'self' blob: 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data: blob:; connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+    "base-uri 'none'; form-action 'none'; frame-ancestors {frames}"
 )  # blob: Panel makes a module of its own code; wasm: our kernels; styles: Bokeh writes them into every shadow root
 PAGES = "pages"  # what strangers ask for who fetch the page
 PAGE_SECONDS = 0.004  # of the event loop that a fetched page takes, reading the request included; measured 2 to 3 ms
@@ -269,9 +269,12 @@ def set_headers(handler: RequestHandler) -> None:
     """What every answer carries; nothing of it names a version."""
     host = handler.request.host
     sockets = f"ws://{host} wss://{host}" if re.fullmatch(r"[\w.:\[\]-]{1,260}", host) else ""
-    handler.set_header("Content-Security-Policy", POLICY.format(sockets=sockets))
+    others = handler.application.settings.get("frames", ())
+    policy = POLICY.format(sockets=sockets, frames=" ".join(("'self'", *others)))
+    handler.set_header("Content-Security-Policy", policy)
     handler.set_header("X-Content-Type-Options", "nosniff")
-    handler.set_header("X-Frame-Options", "SAMEORIGIN")
+    if not others:  # which this older header cannot name
+        handler.set_header("X-Frame-Options", "SAMEORIGIN")
     handler.set_header("Referrer-Policy", "same-origin")
     handler.set_header("Cross-Origin-Opener-Policy", "same-origin")
     handler.clear_header("Server")

@@ -4,6 +4,7 @@ import contextlib
 import logging
 import secrets
 import signal
+from collections.abc import Sequence
 from socket import socket
 from typing import Any
 
@@ -24,16 +25,24 @@ CLOSE_SECONDS = 2.0  # for sockets to be closed when the server stops
 log = logging.getLogger("strikewave")
 
 
-def serve(port: int, address: str, origins: list[str], proxies: list[Network], sockets: list[socket]) -> int:
+def serve(
+    port: int,
+    address: str,
+    origins: list[str],
+    proxies: list[Network],
+    sockets: list[socket],
+    frames: list[str],
+) -> int:
     """Serve until interrupted, on a port that is taken already. Prints the address once the page answers at once.
 
-    `origins`: hosts by which browsers reach the page; `proxies`: of which `X-Forwarded-For` is believed.
+    `origins`: hosts by which browsers reach the page; `proxies`: of which `X-Forwarded-For` is believed; `frames`:
+    origins of other sites that may have the page in a frame.
     """
     most = connections.room()
     if not all_compiled().exists():
         COMPILER.start()  # while this process loads Panel
     prepare()  # likewise
-    server = build(port, address, origins, proxies, sockets=sockets)
+    server = build(port, address, origins, proxies, sockets=sockets, frames=frames)
     connections.bound(server._http, most)
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
@@ -66,11 +75,13 @@ def build(
     proxies: list[Network] | None = None,
     *,
     sockets: list[socket] | None = None,
+    frames: Sequence[str] = (),
     unused_lifetime: int = 10_000,
 ) -> Any:
     """The server, warm but not started. Raises OSError if the port is taken.
 
-    `sockets` have the port already; `unused_lifetime` [ms]: how long the session of a page that was closed is kept.
+    `sockets` have the port already; `frames`: as for `serve`; `unused_lifetime` [ms]: how long the session of a page
+    that was closed is kept.
     """
     import panel as pn
 
@@ -89,8 +100,7 @@ def build(
         shell(True, language)
     pack()
     secret = secrets.token_bytes(32)
-    if sockets is not None:
-        install.listen_on(sockets)
+    install.listen_on(sockets)
     server = pn.io.server.get_server(
         {"/": create},
         port=port,
@@ -113,6 +123,7 @@ def build(
         sign_sessions=True,
         door=Door(secret),
         addresses=Addresses(proxies or ()),
+        frames=tuple(frames),
         warm=True,  # makes one page before the port is opened to anybody
     )
     server.io_loop.add_callback(lambda: of_loop(Workers).fill())

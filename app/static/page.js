@@ -16,8 +16,9 @@ import { cameBack, Connection } from './wire/connection.js';
 import { Controls } from './form/controls.js';
 import { make } from './browser/dom.js';
 import { Help } from './frame/help.js';
+import { tellHeight } from './frame/framed.js';
 import { History } from './frame/history.js';
-import { alone } from './browser/home.js';
+import { alone, framed } from './browser/home.js';
 import { listenToKeys } from './frame/keys.js';
 import { Layout } from './frame/layout.js';
 import { follow, readLink } from './frame/link.js';
@@ -43,7 +44,6 @@ import { text } from './text/catalogue.js';
 /** @import { Event } from './frame/story.js' */
 /** @import { Kind, View } from './frame/view.js' */
 
-const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again
 
 export class Page {
@@ -121,18 +121,14 @@ export class Page {
       return make('button', { type: 'button', className, textContent: name, ariaLabel: name, onclick });
     };
     const copy = act('copy-link', () => copyLink(this));
-    const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), this.controls.scene.root);
+    const bar = make('header', { className: 'topbar' }, make('h1', {}, 'Strikewave'), this.controls.scene.root);
     const { redoing, undoing } = this.history;
     const parts = [this.opening.button, undoing, redoing, copy, new Take(this).root, ...this.help.buttons];
     bar.append(make('div', { className: 'keep' }, ...parts));
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
-    const caption = make(
-      'div',
-      { className: 'caption-row' },
-      this.caption.root,
-      ...all.flatMap(({ buttons }) => buttons),
-    );
+    const buttons = all.flatMap((view) => view.buttons);
+    const caption = make('div', { className: 'caption-row' }, this.caption.root, ...buttons);
     this.waiter.place = caption;
     const { bar: kept, second, tag } = this.compare;
     this.player.root.append(kept.button);
@@ -303,6 +299,7 @@ export class Page {
     document.getElementById('still')?.remove();
     this.analyses.resume();
     const timed = follow(this, readLink(alone ? window.location.search : '', this));
+    if (framed) tellHeight(this);
     const state = this.opening.teaching.start() ? null : cameBack();
     if (state) goOn(this, state);
     else if (!timed && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) this.player.tour();

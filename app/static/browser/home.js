@@ -7,7 +7,8 @@
 /**
  * @typedef {object} Carried  what came with a page that has no server, see app/serving/folder.py
  * @property {Spec} spec
- * @property {Listed} gallery
+ * @property {Listed & { lacking: number }} gallery  `lacking`: lessons that need a server
+ * @property {Record<string, import('../lesson/lesson.js').Record_>} lessons  by name
  * @property {string} kernels  fingerprint of their sources
  * @property {string} laboratory  address of one with a server, or nothing
  * @property {ArrayBuffer[]} messages  one of each scene
@@ -18,6 +19,8 @@
 export const carried = /** @type {Carried | null} */ (/** @type {any} */ (globalThis).strikewaveCarried ?? null);
 /** Whether it is the page itself. */
 export const alone = Boolean(globalThis.document?.getElementById('session'));
+/** Whether it is in a frame, in the page of another site, whose address asks for that. */
+export const framed = alone && new URLSearchParams(globalThis.location.search).has('embed');
 
 /**
  * The address of something else that is served with this script.
@@ -36,7 +39,7 @@ export const served = (name) => new URL(`../../../${name}`, import.meta.url);
  */
 
 /**
- * What stands for the history of the browser in another's page.
+ * What stands for the history of the browser in another's page, and in a frame, where that is of the whole tab.
  * @template Entry
  * @implements {Entries<Entry>}
  */
@@ -44,20 +47,34 @@ export class Steps {
   /** @type {Entry[]} */ entries = [];
   at = 0;
 
-  /** @param {() => void} arrive  after it has gone to another entry */
-  constructor(arrive) {
+  /**
+   * @param {() => void} arrive  after it has gone to another entry
+   * @param {(address: string) => void} [follow]  to the address of what is shown
+   */
+  constructor(arrive, follow = () => {}) {
     this.arrive = arrive;
+    this.follow = follow;
   }
   get state() {
     return this.entries[this.at] ?? null;
   }
-  /** @param {Entry} entry */
-  replaceState(entry) {
+  /**
+   * @param {Entry} entry
+   * @param {string} [title]
+   * @param {string} [address]
+   */
+  replaceState(entry, title, address) {
     this.entries[this.at] = entry;
+    if (address) this.follow(address);
   }
-  /** @param {Entry} entry */
-  pushState(entry) {
+  /**
+   * @param {Entry} entry
+   * @param {string} [title]
+   * @param {string} [address]
+   */
+  pushState(entry, title, address) {
     this.entries.splice(++this.at, Infinity, entry);
+    if (address) this.follow(address);
   }
   back() {
     this.#go(-1);

@@ -7,6 +7,7 @@ import { curveOf, eventsOf, timeOf } from '../lesson/events.js';
 import { copyButton } from '../lesson/handed.js';
 import { FACTORS } from '../lesson/sketch.js';
 import { csvOf } from './csv.js';
+import { frameOf } from './frame.js';
 import { Laid } from './lay.js';
 import { MOST, readLines } from './lines.js';
 import { rowsOf } from './rows.js';
@@ -49,9 +50,10 @@ export class Reading {
     const { href } = new URL(address, window.location.href);
     const lesson = make('a', { href: address, textContent: text('class.lesson') });
     const copy = copyButton(text('class.copy-link'), href, () => {});
+    const frame = copyButton(text('frame.copy'), frameOf(record), () => {});
     const about = make('p', { textContent: text('class.about') });
     const label = make('label', {}, text('class.lines', { most: MOST }), area);
-    const head = make('header', {}, heading, make('p', {}, lesson, ' ', copy), about);
+    const head = make('header', {}, heading, make('p', {}, lesson, ' ', copy, ' ', frame), about);
     return [head, make('div', { className: 'class-put' }, label, count, unread, save), sums];
   }
   /** Take the place of all else. */

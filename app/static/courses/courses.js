@@ -1,5 +1,6 @@
 // Lessons in the gallery: each with its picture, for whom it is, and how far one has come; and a file of one's own.
 import { make } from '../browser/dom.js';
+import { carried } from '../browser/home.js';
 import { kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
 import { lessonAt } from '../frame/address.js';
@@ -72,7 +73,7 @@ export class Courses {
     const drop = make('span', { className: 'help', textContent: text('lesson.drop') });
     this.acts = make('div', { className: 'acts' }, own, drop, file);
     this.root = make('section', { className: 'lessons' }, make('h3', { textContent: text('gallery.lessons') }));
-    this.root.append(this.list, this.acts);
+    this.root.append(this.list, ...(carried ? [] : [this.acts])); // a server reads files
   }
   /** With what the visitor has done by now. */
   draw() {

@@ -70,7 +70,7 @@ export class Scenes {
   async #gallery() {
     const { page } = this;
     this.fetched ??= (async () => {
-      const taught = alone && !carried; // only a page of its own runs lessons, which a server reads
+      const taught = alone && (!carried || Object.keys(carried.lessons).length > 0); // only a page of its own runs them
       const [module, answer, courses] = await Promise.all([
         late('gallery/gallery.js'),
         carried?.gallery ?? fetch(served(`gallery/${language}`)).then((found) => found.json()),

@@ -1,7 +1,7 @@
 // The address of the page says what is shown, and what is open and asked; of the choices only what differs from the
 // scene's own values.
 import { entriesOf } from '../wire/body_values.js';
-import { alone, carried } from '../browser/home.js';
+import { alone, carried, framed } from '../browser/home.js';
 import { language } from '../text/catalogue.js';
 import { keptText } from './kept.js';
 
@@ -95,10 +95,19 @@ export function queryOf(page, moment = false, spoken = SPOKEN) {
 export const choicesText = ({ frame, model }) => new URLSearchParams(choicesOf(model, frame)).toString();
 
 /**
- * Of a lesson.
- * @param {string} name
+ * Of a lesson, or of the page as it begins, in the same language; what is in a frame stays there.
+ * @param {string} [name]
  */
-export const lessonAt = (name) => addressOf([`lesson=${name}`, ...(SPOKEN ? [`language=${SPOKEN}`] : [])].join('&'));
+export const lessonAt = (name) => here([name ? `lesson=${name}` : '', SPOKEN && `language=${SPOKEN}`]);
+
+/**
+ * Of the page as it is, which the browser has.
+ * @param {Page} page
+ */
+export const ownAddress = (page) => here([queryOf(page)]);
+
+/** @param {string[]} said */
+const here = (said) => addressOf([framed ? 'embed' : '', ...said].filter(Boolean).join('&'));
 
 /** @param {string} query */
 export const addressOf = (query) => (query ? `?${query}` : location.pathname);

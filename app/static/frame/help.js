@@ -1,6 +1,8 @@
 // The help: keys, what is where, and the documentation where its address is set.
 import { family, text } from '../text/catalogue.js';
 import { make } from '../browser/dom.js';
+import { framed } from '../browser/home.js';
+import { wayOut } from './framed.js';
 import { languagesOf } from './language.js';
 
 /** @import { Page } from '../page.js' */
@@ -54,7 +56,7 @@ export class Help {
     this.button.ariaLabel = name;
     this.button.setAttribute('aria-haspopup', 'dialog');
     this.button.onclick = () => this.open();
-    this.buttons = [...languagesOf(page), this.button];
+    this.buttons = framed ? [wayOut(page)] : [...languagesOf(page), this.button];
     const close = make('button', { type: 'button', className: 'sign', textContent: '✕', onclick: () => this.close() });
     close.title = close.ariaLabel = text('help.close');
     const head = make(

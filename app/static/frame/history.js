@@ -2,8 +2,8 @@
 // kept or kept no more, and a turn from the picture to the dock or the laboratory. Back undoes, and does not leave the
 // page before all is undone.
 import { make } from '../browser/dom.js';
-import { addressOf, choicesText, queryOf } from './address.js';
-import { alone, Steps } from '../browser/home.js';
+import { choicesText, ownAddress } from './address.js';
+import { alone, framed, Steps } from '../browser/home.js';
 import { Writing } from './keys.js';
 import { text } from '../text/catalogue.js';
 import { keep, kept } from '../browser/store.js';
@@ -42,8 +42,9 @@ export class History {
   constructor(page) {
     this.page = page;
     this.popped = () => this.#arrive();
+    const follow = (/** @type {string} */ address) => window.history.replaceState(null, '', address);
     /** @type {import('../browser/home.js').Entries<Entry>} */
-    this.entries = alone ? window.history : new Steps(this.popped);
+    this.entries = alone && !framed ? window.history : new Steps(this.popped, framed ? follow : undefined);
     const { entry } = this;
     if (entry) this.top = Math.max(kept(TOP, 0, true), entry.strikewave); // the page was left, or reloaded
     const button = (/** @type {string} */ sign, /** @type {string} */ title, /** @type {() => void} */ onclick) =>
@@ -119,7 +120,7 @@ export class History {
     const { lent, plan } = opening;
     const shown = { chosen: frame.chosen, choices: choicesText(this.page), kept: compare.wanted };
     const step = opening.teaching.lesson?.at;
-    return [{ ...shown, plan, lent, step, tab: layout.tabs.selected }, addressOf(queryOf(this.page))];
+    return [{ ...shown, plan, lent, step, tab: layout.tabs.selected }, ownAddress(this.page)];
   }
   /**
    * The address says what is shown, as a step of its own where the choices have changed.

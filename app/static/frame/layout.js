@@ -5,7 +5,7 @@ import { scale } from '../charts/canvas.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from '../browser/dom.js';
 import { gripOf } from './grip.js';
-import { alone, carried } from '../browser/home.js';
+import { alone, carried, framed } from '../browser/home.js';
 import { keep, kept } from '../browser/store.js';
 import { Tabs } from './tabs.js';
 
@@ -79,6 +79,7 @@ export class Layout {
     bar.after(first);
     this.root.append(...others);
     this.root.classList.toggle('embedded', !alone);
+    this.root.classList.toggle('framed', framed);
     this.tabs.select('story');
     const moved = () => this.place();
     LARGE.addEventListener('change', moved);
@@ -108,9 +109,10 @@ export class Layout {
   /** Put everything where it belongs at this width. */
   place() {
     const [width, height] = this.#room.map((size) => size / scale);
-    const across = width < TABLET && height < Math.min(LOW, width);
-    const size = width < PHONE || across ? 'phone' : width < TABLET ? 'tablet' : 'desk';
     const { opening } = this;
+    const follows = framed && opening.teaching.on; // its height is as its width needs
+    const across = width < TABLET && height < Math.min(LOW, width) && !follows;
+    const size = width < PHONE || across ? 'phone' : width < TABLET ? 'tablet' : 'desk';
     this.root.dataset.size = size;
     opening.narrow = size !== 'desk';
     /** @type {Mode} */

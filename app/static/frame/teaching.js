@@ -23,8 +23,18 @@ export function lessonIn(search) {
   const query = new URLSearchParams(search);
   const reads = query.has('class');
   const name = query.get(reads ? 'class' : 'lesson');
-  if (name === null || !alone || carried) return null;
+  if (name === null || !alone || (carried && reads)) return null;
   return { name, step: Math.trunc(Number(query.get('step')) || 1), language: query.get('language') ?? '', reads };
+}
+
+/**
+ * One that came with the page.
+ * @param {import('../browser/home.js').Carried} came
+ * @param {string} name
+ */
+function recordOf({ lessons }, name) {
+  if (!Object.hasOwn(lessons, name)) throw new RangeError();
+  return lessons[name];
 }
 
 export class Teaching {
@@ -76,8 +86,9 @@ export class Teaching {
       this.asked = this.lesson = null;
       page.player.bound(Infinity);
       const unknown = error instanceof RangeError;
-      const why = text(unknown ? 'lesson.unknown' : 'lesson.lost', { lesson: asked.name.slice(0, 60) });
-      page.complain(asked.name === OWN ? text('lesson.own-gone') : why);
+      const known = asked.name === OWN ? 'lesson.own-gone' : unknown ? 'lesson.unknown' : 'lesson.lost';
+      const more = { lesson: asked.name.slice(0, 60), laboratory: Boolean(carried?.laboratory) };
+      page.complain(text(carried ? 'offline.lesson' : known, more));
       page.layout.place();
       page.tell();
     }
@@ -89,6 +100,7 @@ export class Teaching {
    */
   async #record({ language, name }) {
     if (!NAME.test(name)) throw new RangeError();
+    if (carried) return recordOf(carried, name);
     if (name === OWN) return this.#own();
     const address = served(`lessons/${name}`);
     if (language) address.searchParams.set('language', language);

@@ -54,7 +54,13 @@ export class Gallery {
     this.own = make('section', { className: 'own' });
     this.courses = Taught ? this.#courses(Taught, listed) : null;
     const parts = [this.own, ...this.#cards(listed), ...this.#index(listed)];
-    this.body = make('div', { className: 'gallery-body' }, ...(this.courses ? [this.courses.root] : []), ...parts);
+    this.body = make(
+      'div',
+      { className: 'gallery-body' },
+      ...(this.courses ? [this.courses.root] : []),
+      ...lacking(),
+      ...parts,
+    );
     this.root = make('dialog', { className: 'gallery' }, head, this.body, this.editor.root);
     if (this.courses) this.root.append(this.courses.file.root);
     this.root.setAttribute('aria-labelledby', 'gallery');
@@ -287,4 +293,10 @@ export function nearest(from, all, key) {
     if (far < least) [best, least] = [each, far];
   }
   return best;
+}
+
+/** That some lessons need a server, where there is none. */
+function lacking() {
+  const more = { count: carried?.gallery.lacking ?? 0, laboratory: Boolean(carried?.laboratory) };
+  return more.count ? [make('p', { className: 'help', textContent: text('offline.lessons', more) })] : [];
 }

@@ -1,5 +1,7 @@
 // In the bar: which lesson this is, its steps, and ways to begin again and to leave it.
 import { make } from '../browser/dom.js';
+import { framed } from '../browser/home.js';
+import { lessonAt } from '../frame/address.js';
 import { text } from '../text/catalogue.js';
 import { KEY, Print } from './print.js';
 import { Projector, PROJECTOR } from './projector.js';
@@ -22,10 +24,10 @@ export class Bar {
       return button;
     };
     const again = act('⟲', 'lesson.again', () => this.#again(again));
-    const leave = act('✕', 'lesson.leave', () => location.assign(location.pathname));
+    const leave = act('✕', 'lesson.leave', () => location.assign(lessonAt()));
     this.projector = new Projector(lesson);
     const extras = [this.projector.button, new Print(lesson).button];
-    const acts = make('div', { className: 'lesson-acts' }, ...extras, again, leave);
+    const acts = make('div', { className: 'lesson-acts' }, ...extras, again, ...(framed ? [] : [leave]));
     this.root = make('div', { className: 'lesson-bar' }, this.name, list, acts);
   }
   /** What the address says besides. */

@@ -1,5 +1,6 @@
 // At the end of a lesson: the code of all answers, which a student may give to a teacher. Nothing of it is sent.
 import { make } from '../browser/dom.js';
+import { carried, framed } from '../browser/home.js';
 import { text } from '../text/catalogue.js';
 import { mainButton } from './answered.js';
 import { codeOf, SALTS, givenOf } from './code.js';
@@ -44,7 +45,7 @@ function shown(lesson) {
 export function handed(lesson) {
   const { language, lesson: name } = lesson.record;
   const href = `?class=${name}${language ? `&language=${language}` : ''}`;
-  const teacher = make('a', { href, textContent: text('class.read') });
+  const teacher = make('a', { href, target: framed ? '_blank' : '', textContent: text('class.read') });
   const button = mainButton(text('class.code'), () => {
     button.replaceWith(...shown(lesson));
     const code = root.querySelector('code');
@@ -52,6 +53,6 @@ export function handed(lesson) {
     lesson.speak(code?.textContent ?? '');
   });
   button.classList.add('plain');
-  const root = make('section', { className: 'class-handed' }, button, make('p', {}, teacher));
+  const root = make('section', { className: 'class-handed' }, button, ...(carried ? [] : [make('p', {}, teacher)]));
   return root;
 }

@@ -1,7 +1,7 @@
 // The opening view: one large picture, one question, a few sliders. All else is in a dock that slides in beside the
 // picture, one click away; the laboratory has it all at once.
 import { queryOf } from '../frame/address.js';
-import { alone, carried } from '../browser/home.js';
+import { alone, carried, framed } from '../browser/home.js';
 import { make } from '../browser/dom.js';
 import { OFFERED, TITLES } from '../frame/layout.js';
 import { lessonIn, Teaching } from '../frame/teaching.js';
@@ -54,7 +54,7 @@ function planOf(search) {
   if (lessonIn(search)) return 'opening';
   const query = new URLSearchParams(search);
   const asked = query.get('layout');
-  if (carried) return asked === 'docks' ? asked : 'opening';
+  if (carried || framed) return asked === 'docks' ? asked : 'opening';
   for (const key of ['gallery', 'language']) query.delete(key); // which go with any
   return PLANS.find((name) => name === asked) ?? (query.size ? 'laboratory' : kept(PLAN, 'opening'));
 }
@@ -288,7 +288,7 @@ export class Opening {
     this.closer.replaceChildren(
       make('span', { textContent: text('opening.closer') }),
       ...tabs,
-      ...(carried && !carried.laboratory ? [] : [laboratory]),
+      ...((carried ? carried.laboratory : !framed) ? [laboratory] : []),
       make('span', { className: 'source', textContent: source && text('opening.source', { source }) }),
     );
   }

@@ -59,6 +59,14 @@ def test_version(capsys):
         ["serve", "--port", "9" * 5_000],
         ["serve", "--allow-origin", "http://a b/"],
         ["serve", "--allow-origin", "*"],
+        *(
+            ["serve", "--frame-origin", origin]
+            for origin in (
+                *("moodle.example.org", "http://moodle.example.org", "https://*", "https://*.org", "*"),
+                *("https://moodle.example.org/", "https://a.org;script-src", "https://a.org:99999", "https://a*.b.org"),
+                *("https://a.org 'none'", "", "null", "https://a..org", "https://\u00e4.org", "https://" + "a" * 300),
+            )
+        ),
     ],
     ids=lambda arguments: " ".join(arguments)[:30] or "nothing",
 )

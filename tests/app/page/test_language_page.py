@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 import urllib.request
+from itertools import pairwise
 
 import pytest
 from playwright.sync_api import expect
@@ -195,6 +196,20 @@ def test_a_lesson_is_in_the_language_of_the_page_and_links_to_the_next_keep_it(o
     assert page.evaluate("() => strikewave.page.opening.teaching.lesson.record.language") == "es"
     page.evaluate("() => strikewave.page.history.write()")
     assert page.evaluate("() => location.search") == "?lesson=bounce-twice&step=1&language=es"
+
+
+def test_a_lesson_goes_on_in_the_other_language_and_is_left_in_it(open_page):
+    page = open_page("?lesson=mass-on-a-rod&step=2&language=es", own=True, size=(820, 1180))
+    page.wait("() => strikewave.page.opening.teaching.lesson?.at === 1")
+    boxes = [each.bounding_box() for each in page.tab.locator(".topbar button:visible").all()]
+    ends = sorted((box["x"], box["x"] + box["width"]) for box in boxes)
+    assert all(end <= start for (_, end), (start, _) in pairwise(ends))  # none lies over another
+    page.tab.get_by_role("button", name="English").click()
+    page.wait("() => window.strikewave?.page.opening.teaching.lesson?.record.language === 'en'")
+    assert page.evaluate("() => location.search") == "?lesson=mass-on-a-rod&step=2&language=en"
+    page.tab.get_by_role("button", name="Leave the lesson").click()
+    page.wait("() => window.strikewave && !strikewave.page.opening.teaching.on")
+    assert page.evaluate("() => location.search.includes('language=en')")
 
 
 def test_numbers_are_typed_with_a_comma_or_a_point(open_page):

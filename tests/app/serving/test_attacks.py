@@ -170,7 +170,7 @@ def test_headers_name_no_version_and_no_frame_of_others(server):
         policy = page.headers["Content-Security-Policy"]
         assert "frame-ancestors 'self'" in policy and "default-src 'none'" in policy
         assert "'unsafe-inline'" not in policy.split("script-src")[1].split(";")[0] and "'unsafe-eval'" not in policy
-        assert page.headers["Server"] is None
+        assert page.headers["Server"] is None and page.headers["X-Frame-Options"] == "SAMEORIGIN"
 
     async def ask():
         client = await SocketClient(server).open()

@@ -1,10 +1,7 @@
 """The laboratory as a folder: small, of itself alone, and answers as the library does, from the disk and served."""
 
-import functools
-import http.server
 import json
 import shutil
-import threading
 from pathlib import Path
 
 import pytest
@@ -18,18 +15,11 @@ from app.wasm.module import signed
 from solvers.bodies import SpringMass
 from solvers.scenes.library import scene_of
 
+from .conftest import SECONDS, choose
+
 MOST = 1_000_000  # bytes of all files
-SECONDS = 15_000  # ms for a page
 PHONE = {"width": 390, "height": 844}
 SAID = "() => document.querySelector('.closed')?.textContent"
-SHOWN = "() => window.strikewave?.frames > 0"
-
-
-class Quiet(http.server.SimpleHTTPRequestHandler):
-    extensions_map = {".html": "text/html", ".css": "text/css", ".js": "text/javascript; charset=utf-8"}  # of all
-
-    def log_message(self, *_):
-        pass
 
 
 @pytest.fixture(scope="module")
@@ -37,43 +27,6 @@ def folder(tmp_path_factory) -> Path:
     place = tmp_path_factory.mktemp("static") / "impact"
     assert main(["export-static", str(place)]) == 0
     return place
-
-
-@pytest.fixture
-def opened(browser, folder):
-    """Open the folder from the disk, or at another address, with what the page asked for and what went wrong."""
-    contexts = []
-
-    def open_one(query: str = "", base: str = "", script: str = SHOWN, **options):
-        contexts.append(browser.new_context(**{"reduced_motion": "reduce"} | options))
-        tab = contexts[-1].new_page()
-        tab.asked, tab.errors = [], []
-        tab.on("request", lambda request: tab.asked.append(request.url))
-        tab.on("pageerror", lambda error: tab.errors.append(str(error)))
-        tab.on("console", lambda line: line.type == "error" and tab.errors.append(line.text))
-        tab.goto((base or folder.as_uri()) + "/index.html" + query)
-        tab.wait_for_function(script, timeout=SECONDS)
-        return tab
-
-    yield open_one
-    for context in contexts:
-        context.close()
-
-
-@pytest.fixture
-def served(folder):
-    """Address of a server of files."""
-    handler = functools.partial(Quiet, directory=folder.parent)
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_address[1]}/{folder.name}"
-        server.shutdown()
-
-
-def choose(tab, name: str, value) -> None:
-    """As a control does, until it is answered or refused."""
-    tab.evaluate("([name, value]) => strikewave.page.choose(name, value)", [name, value])
-    tab.wait_for_function("() => !strikewave.page.asked", timeout=SECONDS)
 
 
 def peak(tab) -> float:

@@ -1,0 +1,54 @@
+"""The folder without a server, of the fixture `folder` of a file, opened and served."""
+
+import functools
+import http.server
+import threading
+
+import pytest
+
+SECONDS = 15_000  # ms for a page
+SHOWN = "() => window.strikewave?.frames > 0"
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    extensions_map = {".html": "text/html", ".css": "text/css", ".js": "text/javascript; charset=utf-8"}  # of all
+
+    def log_message(self, *_):
+        pass
+
+
+@pytest.fixture
+def opened(browser, folder):
+    """Open the folder from the disk, or at another address, with what the page asked for and what went wrong."""
+    contexts = []
+
+    def open_one(query: str = "", base: str = "", script: str = SHOWN, **options):
+        contexts.append(browser.new_context(**{"reduced_motion": "reduce"} | options))
+        tab = contexts[-1].new_page()
+        tab.asked, tab.errors = [], []
+        tab.on("request", lambda request: tab.asked.append(request.url))
+        tab.on("pageerror", lambda error: tab.errors.append(str(error)))
+        tab.on("console", lambda line: line.type == "error" and tab.errors.append(line.text))
+        tab.goto((base or folder.as_uri()) + "/index.html" + query)
+        tab.wait_for_function(script, timeout=SECONDS)
+        return tab
+
+    yield open_one
+    for context in contexts:
+        context.close()
+
+
+@pytest.fixture
+def served(folder):
+    """Address of a server of files."""
+    handler = functools.partial(Quiet, directory=folder.parent)
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_address[1]}/{folder.name}"
+        server.shutdown()
+
+
+def choose(tab, name: str, value) -> None:
+    """As a control does, until it is answered or refused."""
+    tab.evaluate("([name, value]) => strikewave.page.choose(name, value)", [name, value])
+    tab.wait_for_function("() => !strikewave.page.asked", timeout=SECONDS)
