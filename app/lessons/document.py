@@ -20,6 +20,12 @@ KIND = re.compile(r"\{([a-z-]{1,40})\}")
 HEADER = re.compile(r"[ \t]*(\[{1,2})[ \t]*([\w-]+)[ \t]*\]")
 ASSIGNED = re.compile(r"[ \t]*([\w-]+)[ \t]*=")
 AT_LINE = re.compile(r"\bline (\d+)")
+HINTS = {  # of a line of TOML that cannot be read, by what is usual in it
+    "comma": re.compile(r"=\s*[-+]?\d+,\d+\s*(?:#.*)?$"),
+    "flag": re.compile(r"=\s*(?:yes|no|on|off|true|false)\s*(?:#.*)?$", re.IGNORECASE),
+    "quotes": re.compile(r"=\s*(?:[^\W\d]|[“”„«»‘’])"),
+    "backslash": re.compile(r'=\s*"[^"]*\\'),
+}
 QUESTIONS = ("choice", "number", "order", "set", "sketch")
 NAMELESS = ("scene", "after", "summary")
 EXAMPLE = ":::{choice} first"
@@ -58,6 +64,7 @@ class Section:
     title: str
     line: int
     blocks: list[Block] = field(default_factory=list)
+    unread: bool = False  # a fence of it
 
 
 @dataclass
@@ -171,6 +178,7 @@ def _sections(tokens: list[Token], lines: list[str], problems: Problems) -> list
             flush()
             block = _fence(token, lines, problems)
             found[-1].blocks += [block] if block else []
+            found[-1].unread |= block is None
         else:
             kept.append(token)
     if found:
@@ -221,10 +229,18 @@ def _filled(block: Block, content: str, problems: Problems) -> Block | None:
         said = (str(error).splitlines() or [type(error).__name__])[0]
         at = AT_LINE.search(said)
         line = block.line + (int(at[1]) if at else max(len(table.rstrip().split("\n")), 1))
-        problems.add(line, "toml", why=said.split(" (at ")[0][:120])
+        written = (table.split("\n")[line - block.line - 1 :] or [""])[0]
+        problems.add(line, "toml", why=said.split(" (at ")[0][:120], hint=_hint(said, written))
         return None
     block.lines = Lines(block.line, _key_lines(table, block.line))
     return block
+
+
+def _hint(said: str, line: str) -> str:
+    """What is wrong with a line of TOML, as far as it is usual."""
+    if "overwrite" in said:
+        return "twice"
+    return next((hint for hint, form in HINTS.items() if form.search(line)), "none")
 
 
 def _key_lines(table: str, first: int) -> dict[str, int]:

@@ -57,7 +57,10 @@ def _unit(key: str, value: Any, known: list[str]) -> str:
 def _tolerance(key: str, value: Any, answer: float) -> float:
     """In the unit of the answer."""
     if not isinstance(value, str):
-        return number(key, value, 0.0, LARGEST)
+        try:
+            return number(key, value, 0.0, LARGEST)
+        except SceneError:
+            raise SceneError(key, value, wanted("part")) from None
     share = value.removesuffix("%").strip()
     try:
         part = float(share) if value.endswith("%") else math.nan

@@ -138,7 +138,7 @@ def _parts(section: Section, reading: Reading, stage: Stage) -> list[Part]:
         if kind in seen and kind != "text":
             code = "second-question" if kind == "question" else "second-part"
             reading.problems.add(block.line, code, fence=block.fence)
-        if kind == "after" and "question" not in seen:
+        if kind == "after" and "question" not in seen and not section.unread:
             reading.problems.add(block.line, "after-nothing", fence=block.fence)
         if block.name in reading.names:
             reading.problems.add(block.line, "name-twice", name=block.name)

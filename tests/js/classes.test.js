@@ -30,6 +30,7 @@ test('a name may stand before a code, which may be broken up', () => {
     [`Müller\t${CODE.toLowerCase()}`]: 'Müller',
     [`Mark ${CODE.replaceAll('-', ' ')}`]: 'Mark',
     [`"Ann B.","${CODE}"`]: 'Ann B.',
+    [`Félix: ${CODE}`]: 'Félix',
     [`12; ${CODE.replaceAll('-', '- ')}  `]: '12',
   };
   for (const [line, name] of Object.entries(forms)) {

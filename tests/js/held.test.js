@@ -30,6 +30,12 @@ test('names and bounds are taken, and said again', () => {
   assert.deepEqual(held('').said, []);
 });
 
+test('values of bodies stay where they would move a choice that does not', () => {
+  const stay = (search) => held(search).bodies;
+  assert.deepEqual(['?fix=mass_ratio', '?bound=mass_ratio:0.1:2', '?hide=mass_ratio'].map(stay), [true, true, true]);
+  assert.deepEqual(['', '?fix=method&hide=bodies&bound=modes:1:9'].map(stay), [false, false]);
+});
+
 test('what cannot be is refused with its key, what was given, and what is allowed', () => {
   assert.deepEqual(held('?hide=methods').refused, [
     'hide: got methods; allowed: scene, method, mass_ratio, modes, bodies.',

@@ -45,15 +45,17 @@ export class Reading {
   }
   #parts() {
     const { area, count, record, save, sums, unread } = this;
+    const { own } = record; // has no address elsewhere
     const heading = make('h2', { textContent: text('class.of', { title: record.title }), tabIndex: -1 });
-    const address = `?lesson=${record.lesson}`;
+    const address = `?lesson=${own ? 'own' : record.lesson}`;
     const { href } = new URL(address, window.location.href);
     const lesson = make('a', { href: address, textContent: text('class.lesson') });
     const copy = copyButton(text('class.copy-link'), href, () => {});
     const frame = copyButton(text('frame.copy'), frameOf(record), () => {});
     const about = make('p', { textContent: text('class.about') });
     const label = make('label', {}, text('class.lines', { most: MOST }), area);
-    const head = make('header', {}, heading, make('p', {}, lesson, ' ', copy, ' ', frame), about);
+    const links = own ? [] : [' ', copy, ' ', frame];
+    const head = make('header', {}, heading, make('p', {}, lesson, ...links), about);
     return [head, make('div', { className: 'class-put' }, label, count, unread, save), sums];
   }
   /** Take the place of all else. */

@@ -31,7 +31,7 @@ function readLine(record, line) {
     const code = grouped([first, ...others].join(''));
     try {
       const given = readCode(record, code);
-      const name = line.slice(0, last[0].index).replace(/^[\s"']+|[\s,;"']+$/g, '');
+      const name = line.slice(0, last[0].index).replace(/^[\s"']+|[\s,;:"']+$/g, '');
       return { name: name.slice(0, NAME), code, given };
     } catch (error) {
       if (!(error instanceof CodeError)) throw error;

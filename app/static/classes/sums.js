@@ -57,7 +57,7 @@ function tableOf(caption, lines, all) {
 function chosen(part, given) {
   const counts = pickedOf(part, given);
   const lines = part.options.map((/** @type {Part} */ option, /** @type {number} */ k) => ({
-    ...{ right: Boolean(option.right), words: elementsOf(option.text), count: counts[k] },
+    ...{ right: Boolean(option.right), words: [`${k + 1}. `, ...elementsOf(option.text)], count: counts[k] },
   }));
   return [tableOf(text('class.of-choice', { count: given.length }), lines, given.length)];
 }

@@ -127,6 +127,9 @@ export class Bodies {
     this.heads.clear();
     this.list.replaceChildren(...parts.map((part) => this.#part(part, parts)));
     typeset(this.list);
+    if (!this.page.changes.held.bodies) return;
+    for (const input of this.list.querySelectorAll('input, select, button'))
+      /** @type {HTMLInputElement} */ (input).disabled = true;
   }
   /**
    * @param {PartRecord} part

@@ -43,8 +43,8 @@ function shown(lesson) {
  * @returns {HTMLElement}
  */
 export function handed(lesson) {
-  const { language, lesson: name } = lesson.record;
-  const href = `?class=${name}${language ? `&language=${language}` : ''}`;
+  const { language, lesson: name, own } = lesson.record;
+  const href = `?class=${own ? 'own' : name}${language ? `&language=${language}` : ''}`;
   const teacher = make('a', { href, target: framed ? '_blank' : '', textContent: text('class.read') });
   const button = mainButton(text('class.code'), () => {
     button.replaceWith(...shown(lesson));

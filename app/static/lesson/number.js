@@ -102,6 +102,9 @@ export class NumberQuestion {
   get done() {
     return this.answer.done;
   }
+  get tried() {
+    return this.answer.tries > 0;
+  }
   /** @returns {Trial} */
   get now() {
     return this.trial ?? this.answer;

@@ -43,6 +43,9 @@ export class Order {
   get done() {
     return this.answer.done;
   }
+  get tried() {
+    return this.answer.tries > 0;
+  }
   /** Times are known. */
   load() {
     if (this.done) this.#render();

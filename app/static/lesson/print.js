@@ -2,6 +2,7 @@
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
+import { LABELS } from '../text/words.js';
 import * as drawing from './drawing.js';
 import { eventsOf, timeOf } from './events.js';
 import { elementsOf } from './nodes.js';
@@ -71,7 +72,15 @@ const RIGHT = {
   order: ({ items }) => [
     make('ol', {}, ...items.map((/** @type {Part} */ each) => make('li', {}, ...elementsOf(each.text)))),
   ],
-  set: ({ found }) => found.map((/** @type {Part} */ each) => make('p', {}, ...elementsOf(each.say))),
+  set: ({ found, slider }) =>
+    found.map((/** @type {Part} */ { range, say }) => {
+      const { title, unit = '' } = LABELS[slider];
+      const ends = range?.map((/** @type {number} */ end) => figures(end));
+      const where = ends
+        ? [make('b', { textContent: text('class.within', { title, low: ends[0], high: ends[1], unit }) })]
+        : [];
+      return make('p', {}, ...where, ' ', ...elementsOf(say));
+    }),
   sketch: ({ judges }) => judges.map((/** @type {Part} */ each) => make('p', {}, ...elementsOf(each.says.yes))),
 };
 
@@ -100,7 +109,10 @@ export class Print {
     window.addEventListener('beforeprint', () => this.#fill());
   }
   #offer() {
-    if (!this.dialog.isConnected) this.lesson.page.root.append(this.dialog);
+    if (!this.dialog.isConnected) {
+      this.lesson.page.root.append(this.dialog);
+      this.key.checked = this.lesson.flags.includes(KEY);
+    }
     this.dialog.showModal();
   }
   /** With a picture of each step, which is shown for a moment. */
@@ -142,7 +154,7 @@ export class Print {
     const { record } = lesson;
     const { page } = lesson;
     if (!root.isConnected) page.root.append(root);
-    const wanted = this.key.checked || lesson.flags.includes(KEY);
+    const wanted = this.dialog.isConnected ? this.key.checked : lesson.flags.includes(KEY);
     /** @type {HTMLElement[]} */
     const key = [make('h1', { textContent: text('lesson.key-of', { title: record.title }) })];
     const first = this.stills.get(lesson.at) ?? page.view.stage.canvas.toDataURL();

@@ -16,6 +16,7 @@ import { Sketch } from './sketch.js';
  * @typedef {object} Question
  * @property {HTMLElement} root
  * @property {boolean} done  whether it is answered
+ * @property {boolean} [tried]  whether it was, in vain perhaps
  * @property {HTMLElement} [chart]  that stands in the place of the rows
  * @property {Record<string, number>} [choices]  of the page, that it is about
  * @property {boolean} [predicts]  what happens is not to be seen before

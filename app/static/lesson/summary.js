@@ -19,7 +19,7 @@ export function summaryOf(lesson, part) {
       const question = questionOf(lesson, each);
       const name = k <= lesson.progress.far ? step.title : String(k + 1);
       const back = make('button', { type: 'button', textContent: name, onclick: () => lesson.enter(k) });
-      const all = question.done ? question.said() : [make('p', { textContent: text('lesson.open') })];
+      const all = question.done || question.tried ? question.said() : [make('p', { textContent: text('lesson.open') })];
       const rows = all.flatMap((node, n) => [
         make('dt', { textContent: text(n ? 'lesson.was' : 'lesson.said') }),
         make('dd', {}, node),

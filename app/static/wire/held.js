@@ -7,6 +7,7 @@ import { text } from '../text/catalogue.js';
 
 const LESSONS = ['lesson', 'class']; // which say themselves what may be moved
 const NUMBER = /^-?\d{1,12}(\.\d{1,12})?(e[+-]?\d{1,3})?$/i;
+const OF_BODIES = ['mass_ratio', 'slenderness']; // which move with the values of bodies
 const LONGEST = 40; // letters of a value that are said
 
 export class Held {
@@ -63,6 +64,10 @@ export class Held {
    */
   stays(name) {
     return this.hidden.has(name) || this.fixed.has(name);
+  }
+  /** Whether values of bodies stay as they are, as they would move a choice that does not. */
+  get bodies() {
+    return OF_BODIES.some((name) => this.stays(name) || this.bounds.has(name));
   }
   /**
    * The value that a choice may have instead of one that is asked for.

@@ -47,6 +47,12 @@ ORDER = 'yes = "Yes."\nno = "No."\n[[item]]\ntext = "a"\nat = 0\n[[item]]\ntext 
             "colour: got 'red'; allowed: no such key; the keys are lesson,",
         ),
         ("title: Tried", "title: Tried\ntitle: Again", 6, "title: the key is here for the second time"),
+        (
+            "title: Tried",
+            "title: One: two",
+            5,
+            "the head is no YAML (mapping values are not allowed here); allowed: lines",
+        ),
         ("title: Tried", "title: [a, b]", 5, "the head is no YAML"),
         ("title: Tried", "title: 'Tried", 6, "the head is no YAML"),
         ("---\nlesson", "lesson", 1, "the file has no head"),
@@ -79,7 +85,14 @@ def test_heads(old, new, line, said):
         (f"## Step\n{CHOICE}## Other\n{CHOICE}", 19, "the name first is used for the second time"),
         ("## Step\n:::{after}\nWords.\n:::\n", 9, ":::{after} belongs behind a question"),
         (f"## Step\n{CHOICE}:::{{after}}\nplay = [2, 1]\n:::\n", 19, "play: got [2, 1]; allowed: two times"),
-        (fence("scene", "play = "), 10, "this is no TOML (Invalid value"),
+        (fence("scene", "play = "), 10, "the line cannot be read: it is no KEY = VALUE of TOML (Invalid value"),
+        (fence("number", NUMBER.replace("= 1\n", "= 0,989\n")), 10, "the line cannot be read: a number has a decimal"),
+        ("## Step\n" + CHOICE.replace('"This"', "This one"), 11, "the line cannot be read: text stands in straight"),
+        ("## Step\n" + CHOICE.replace('"This"', "“This”"), 11, "the line cannot be read: text stands in straight"),
+        ("## Step\n" + CHOICE.replace("= true", "= True"), 13, "the line cannot be read: allowed: true or false"),
+        ("## Step\n" + CHOICE.replace("Yes.", "$\\alpha$"), 12, "the line cannot be read: in text a backslash is wr"),
+        (fence("number", NUMBER + "answer = 2"), 15, "the line cannot be read: the key is here for the second time"),
+        (fence("number", NUMBER.replace('within = "2 %"\n', "")), 9, "within: got nothing; allowed: a number"),
         (fence("scene", "a" + ".a" * 500 + " = 1"), 10, "the line has more than 400 points"),
         (fence("scene", "\ncolour = 1"), 11, "colour: got 1; allowed: no such key; the keys are scene, changes"),
         (fence("scene", 'scene = "two-bals"'), 10, "scene: got 'two-bals'; allowed: the name of a built-in scene"),
@@ -130,6 +143,11 @@ def test_heads(old, new, line, said):
 def test_files(text, line, said):
     found = refused(text)
     assert any(at == line and each.startswith(said) for at, each in found), found
+
+
+def test_a_question_that_cannot_be_read_is_still_one():
+    step = "## Step\n" + CHOICE.replace('"This"', "This") + ":::{after}\nWords.\n:::\n"
+    assert [line for line, _ in refused(step)] == [11]
 
 
 def test_all_errors_of_a_file_are_found():

@@ -54,6 +54,18 @@ def test_a_value_beyond_its_bounds_is_brought_within(open_page):
     assert 0.5 <= chosen(page, "mass_ratio") <= 2
 
 
+def test_values_of_bodies_do_not_move_what_is_fixed(open_page):
+    page = open_page("?scene=fixed-rod&fix=mass_ratio")
+    settled(page)
+    mass = page.tab.locator(".bodies").get_by_role("textbox").first
+    expect(mass).to_be_visible()
+    expect(mass).to_be_disabled()
+    expect(page.tab.locator(".bodies").get_by_role("combobox").first).to_be_disabled()
+    page = open_page("?scene=fixed-rod&fix=law")
+    settled(page)
+    expect(page.tab.locator(".bodies").get_by_role("textbox").first).to_be_enabled()
+
+
 def test_no_change_is_offered_that_a_link_does_not_allow(open_page):
     page = open_page("?layout=opening&scene=fixed-rod")
     settled(page)

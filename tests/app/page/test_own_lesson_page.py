@@ -88,6 +88,14 @@ def test_a_lesson_file_that_is_dropped_runs_and_stays_in_its_tab(open_page):
     ready(page)
     expect(heading).to_be_visible()
     expect(page.tab.locator(".lesson-said")).to_contain_text("It is so")  # and answers to it stay
+    page.tab.goto(f"http://{page.address}/?lesson=own&step=6")
+    page.laid_out()
+    ready(page)
+    page.tab.get_by_role("link", name="For teachers: read codes").click()
+    expect(page.tab.get_by_role("heading", name="Codes of a class")).to_be_visible()
+    expect(button(page, "Copy its link")).to_have_count(0)  # it has none elsewhere
+    page.tab.get_by_role("link", name="To the lesson").click()
+    page.tab.wait_for_url("**/?lesson=own*")
     page.tab.goto(f"http://{page.address}/{LESSON}")
     page.laid_out()
     ready(page)
@@ -169,7 +177,9 @@ def test_a_question_is_tried_again_and_the_first_answer_stays(open_page):
     expect(sums.nth(3)).to_contain_text("58 µs")
     expect(sums.nth(3)).to_contain_text("It has the same way back")
     expect(sums.nth(3)).to_contain_text("3 tries")
-    expect(sums.nth(4)).to_contain_text("not answered")
+    expect(sums.nth(2)).to_contain_text("not answered")
+    expect(sums.nth(4)).to_contain_text("of 6")  # tried, though in vain
+    expect(sums.nth(4)).not_to_contain_text("not answered")
 
 
 def test_the_chart_says_what_is_on_it_and_keys_come_to_it_before_the_ways_on(open_page):
@@ -214,7 +224,12 @@ def test_a_lesson_on_paper_has_all_steps_and_no_answer_but_in_the_key(open_page)
     page.tab.emulate_media(media="print")
     key = page.tab.locator(".print-key").inner_text()
     page.tab.emulate_media(media="screen")  # for who has this window next
-    assert "116.4" in key and "A second contact" in key
+    assert "116.4" in key and "A second contact" in key and "from 1.02 to 10" in key
+    page.tab.goto(f"http://{page.address}/{LESSON}&key")
+    page.laid_out()
+    ready(page)
+    button(page, "Print").click()
+    expect(page.tab.get_by_label("With a key for the teacher")).to_be_checked()  # as the address says
 
 
 def test_keys_of_a_presenter_walk_through_a_lesson_before_a_class(open_page):
