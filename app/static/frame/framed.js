@@ -36,7 +36,8 @@ function heightOf({ opening, root }) {
   if (!lesson && size !== 'phone') return PICTURE[size] * scale;
   const { height } = root.style;
   root.style.height = '0'; // nothing is drawn so: what has no room of its own takes none
-  const needed = root.scrollHeight;
+  const rows = getComputedStyle(root).gridTemplateRows.matchAll(/[\d.]+/g); // a chart may still reach beyond its row
+  const needed = [...rows].reduce((sum, [pixels]) => sum + Number(pixels), 0);
   const beside = lesson && size === 'desk' ? Math.max(lesson.root.scrollHeight, DRAWN * scale) : 0;
   root.style.height = height;
   return Math.max(needed + beside, LEAST * scale);

@@ -88,8 +88,11 @@ def follows(tab, inside) -> int:
         }""",
         timeout=PATIENCE,
     )
+    tab.wait_for_timeout(400)
+    before = tab.evaluate("() => told.length")
     tab.wait_for_timeout(400)  # in which another height would be told
     told = tab.evaluate("() => told")
+    assert len(told) == before
     assert told and all(each.keys() == {"strikewave", "height"} and each["strikewave"] == 1 for each in told)
     height = int(tab.locator("iframe").get_attribute("height") or 0)
     assert height == told[-1]["height"]
