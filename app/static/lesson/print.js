@@ -15,6 +15,7 @@ import { asks } from './questions.js';
 
 export const KEY = 'key'; // in the address
 const CHART = { width: 900, height: 420 }; // pixels of an empty one
+const UNKNOWN = { start: '…', end: '…', peak: '…', yours: '…', true: '…' }; // on paper nothing was moved or drawn
 const WAIT = 20_000; // ms for the picture of a step
 
 /**
@@ -77,11 +78,12 @@ const RIGHT = {
       const { title, unit = '' } = LABELS[slider];
       const ends = range?.map((/** @type {number} */ end) => figures(end));
       const where = ends
-        ? [make('b', { textContent: text('class.within', { title, low: ends[0], high: ends[1], unit }) })]
+        ? [make('b', { textContent: text('class.within', { title, low: ends[0], high: ends[1], unit }).trim() })]
         : [];
-      return make('p', {}, ...where, ' ', ...elementsOf(say));
+      return make('p', {}, ...where, ...(ends ? [': '] : []), ...elementsOf(say, UNKNOWN));
     }),
-  sketch: ({ judges }) => judges.map((/** @type {Part} */ each) => make('p', {}, ...elementsOf(each.says.yes))),
+  sketch: ({ judges }) =>
+    judges.map((/** @type {Part} */ each) => make('p', {}, ...elementsOf(each.says.yes, UNKNOWN))),
 };
 
 export class Print {

@@ -224,7 +224,7 @@ def test_a_lesson_on_paper_has_all_steps_and_no_answer_but_in_the_key(open_page)
     page.tab.emulate_media(media="print")
     key = page.tab.locator(".print-key").inner_text()
     page.tab.emulate_media(media="screen")  # for who has this window next
-    assert "116.4" in key and "A second contact" in key and "from 1.02 to 10" in key
+    assert "116.4" in key and "A second contact" in key and "from 1.02 to 10: One" in key
     page.tab.goto(f"http://{page.address}/{LESSON}&key")
     page.laid_out()
     ready(page)
