@@ -15,7 +15,7 @@ from .stage import Stage, bounds_of, value_for
 from .units import UNITS, alike
 
 RELATIONS = ("=", "<", ">")
-GAPS_OF_SET = ("start", "end", "peak")
+GAPS_OF_SET = ("start", "end", "peak", "value")
 GAPS_OF_ORDER = ("right", "all")
 MOST = 8  # options, mistakes
 

@@ -3,10 +3,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { clearOf, Paper } from '../../app/static/lesson/drawing.js';
 import { curveOf, eventsOf, lastContact, meets, timeOf } from '../../app/static/lesson/events.js';
-import { rangeOf } from '../../app/static/lesson/goal.js';
+import { rangeOf, wordsOfGoal } from '../../app/static/lesson/goal.js';
 import { Drawn, pointsOf } from '../../app/static/lesson/line.js';
 import { wordsOf } from '../../app/static/lesson/nodes.js';
-import { judgeNumber, read } from '../../app/static/lesson/number.js';
+import { judgeNumber, quantityWords, read } from '../../app/static/lesson/number.js';
 import { mixed } from '../../app/static/lesson/order.js';
 
 const UNITS = ['s', 'ms', 'µs'];
@@ -39,6 +39,18 @@ test('a number has a comma or a point, a power of ten, and its unit behind it or
   assert.deepEqual(read('0.447 N s', ['N s', 'kg m/s']), { value: 0.447, unit: 'N s' });
   assert.deepEqual(read('37.5 %', ['%']), { value: 37.5, unit: '%' });
   for (const wrong of ['', 'long', '12 kg', '1 2 3 m', '.', ',', '1e', 'e5']) assert.equal(read(wrong, UNITS), null);
+});
+
+test('a ratio has no unit behind it', () => {
+  assert.equal(quantityWords(0.7302, '1', 2), '0.73');
+  assert.equal(quantityWords(12.5, 'N s'), '12.5 N s');
+});
+
+test('what a goal is about is said with its unit', () => {
+  assert.equal(wordsOfGoal(FRAME, 'restitution'), '0.8');
+  assert.equal(wordsOfGoal(FRAME, 'peak_force'), '80 kN');
+  assert.equal(wordsOfGoal(FRAME, 'impactor_velocity'), '−1.6 m/s');
+  assert.equal(wordsOfGoal(FRAME, 'contacts'), '2');
 });
 
 test('a number is right in any unit, or one of the usual mistakes', () => {

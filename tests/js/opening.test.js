@@ -307,3 +307,12 @@ test('a lesson has the first force alone, and what it wants beside it on one sca
   assert.ok(Math.abs(tracks[0].range[0] - 3.3) < 1e-9);
   assert.deepEqual(withBesides({ drawn: null, tracks: [push] }, [], '').tracks[0].range, [2.2, 0]);
 });
+
+test('the force of before keeps its seconds where T has become longer', () => {
+  const now = { x: [0, 1], y: [0, 1], style: 'exact' };
+  const before = { x: [0, 1], y: [0, 3], trip: 1e-4, style: 'prediction' };
+  const xs = (frame) => withBesides({ drawn: {}, forces: [now] }, [before], '', frame).forces[1].x;
+  assert.deepEqual(xs({ trip: 1e-4 }), [0, 1]);
+  assert.deepEqual(xs({ trip: 2e-4 }), [0, 0.5]);
+  assert.deepEqual(xs({}), [0, 1]); // a clock of seconds
+});

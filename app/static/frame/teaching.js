@@ -73,7 +73,8 @@ export class Teaching {
   async #open(asked) {
     const { page } = this;
     try {
-      const [record, { Lesson }] = await Promise.all([this.#record(asked), late('lesson/lesson.js')]);
+      const came = carried && recordOf(carried, asked.name); // before what is not there is fetched
+      const [record, { Lesson }] = await Promise.all([came ?? this.#record(asked), late('lesson/lesson.js')]);
       await Promise.all(SHEETS.map((each) => lateSheet(`lesson/${each}`, page.root)));
       if (asked.reads) await this.#read(record);
       else {
@@ -100,7 +101,6 @@ export class Teaching {
    */
   async #record({ language, name }) {
     if (!NAME.test(name)) throw new RangeError();
-    if (carried) return recordOf(carried, name);
     if (name === OWN) return this.#own();
     const address = served(`lessons/${name}`);
     if (language) address.searchParams.set('language', language);

@@ -27,7 +27,8 @@ export class Bar {
     const leave = act('✕', 'lesson.leave', () => location.assign(lessonAt()));
     this.projector = new Projector(lesson);
     const extras = [this.projector.button, new Print(lesson).button];
-    const acts = make('div', { className: 'lesson-acts' }, ...extras, again, ...(framed ? [] : [leave]));
+    const alone = [...extras, again, leave];
+    const acts = make('div', { className: 'lesson-acts' }, ...(framed ? [again] : alone));
     this.root = make('div', { className: 'lesson-bar' }, this.name, list, acts);
   }
   /** What the address says besides. */

@@ -1,5 +1,6 @@
 // Where the last step has no next one: the lesson that follows, and all there are.
 import { make } from '../browser/dom.js';
+import { carried } from '../browser/home.js';
 import { text } from '../text/catalogue.js';
 import { lessonAt } from '../frame/address.js';
 
@@ -11,7 +12,7 @@ export function endingOf({ page, record }) {
   const all = make('button', { type: 'button', className: 'lesson-end-act', textContent: text('lesson.all') });
   all.onclick = () => page.scenes.open();
   all.setAttribute('aria-haspopup', 'dialog');
-  if (!next) {
+  if (!next || (carried && !Object.hasOwn(carried.lessons, next))) {
     all.classList.add('ready');
     return [all];
   }

@@ -1,8 +1,8 @@
 // A slider of the page is moved until something is so; judged while it moves.
 import { make } from '../browser/dom.js';
-import { engineering } from '../text/format.js';
+import { engineering, figures } from '../text/format.js';
 import { saidOf } from './answered.js';
-import { lastContact, meets } from './events.js';
+import { lastContact, meets, quantityOf } from './events.js';
 import { wordsOf } from './nodes.js';
 
 /** @import { Frame } from '../messages.js' */
@@ -21,6 +21,20 @@ export function rangeOf(found, place) {
     return end > 0 && place > 0 ? Math.abs(Math.log(place / end)) : Math.abs(place - end);
   });
   return off.indexOf(Math.min(...off));
+}
+
+/** @type {Record<string, string>} */
+const UNITS = { contact_time: 's', impulse: 'N s', peak_force: 'N', peak_indentation: 'm' }; // of what a goal is about
+
+/**
+ * What a goal is about, as it is by now.
+ * @param {Frame} frame
+ * @param {string} quantity
+ */
+export function wordsOfGoal(frame, quantity) {
+  const value = quantityOf(frame, quantity) ?? NaN;
+  if (quantity in UNITS) return engineering(value, UNITS[quantity]);
+  return `${figures(value)}${quantity.endsWith('_velocity') ? ' m/s' : ''}`;
 }
 
 /** @implements {Question} */
@@ -71,7 +85,7 @@ export class Goal {
     const { answer, lesson, part } = this;
     const { end, peak, start } = lastContact(frame);
     const [from, to] = [start, end].map((t) => lesson.timeWords(t / lesson.unit));
-    const gaps = { start: from, end: to, peak: engineering(peak, 'N') };
+    const gaps = { start: from, end: to, peak: engineering(peak, 'N'), value: wordsOfGoal(frame, part.goal.quantity) };
     const whole = answer.found.length >= part.found.length;
     const rest = whole ? (part.found.length > 1 ? part.all : null) : answer.found.length ? part.more : null;
     const say = met ? part.found[which].say : part.not_yet;

@@ -9,6 +9,7 @@ import { Bar } from './bar.js';
 import { Below } from './below.js';
 import { endingOf } from './ending.js';
 import { eventsOf, timeOf, unitOf } from './events.js';
+import { First } from './first.js';
 import { elementsOf } from './nodes.js';
 import { KEY } from './print.js';
 import { PROJECTOR } from './projector.js';
@@ -81,6 +82,7 @@ export class Lesson {
     this.bar = new Bar(this);
     this.below = new Below(page);
     this.second = new Second(page);
+    this.first = new First(page);
     const word = make('span', { className: 'lesson-word', textContent: text('lesson.back') });
     this.back = make('button', { type: 'button', ariaLabel: text('lesson.back') }, '← ', word);
     this.back.onclick = () => this.enter(this.at - 1);
@@ -190,6 +192,7 @@ export class Lesson {
     this.at = Math.min(Math.max(at, 0), record.steps.length - 1);
     progress.far = Math.max(progress.far, this.at);
     this.coming = true;
+    this.first.lay(this.at, false);
     page.player.bound(0);
     this.speak('');
     this.#render();
@@ -206,6 +209,7 @@ export class Lesson {
   /** @param {Frame} frame  of this step */
   #arrive(frame) {
     this.coming = false;
+    this.first.lay(this.at, (this.sliders ?? []).length > 0);
     this.load(frame);
     this.below.show(this.below.names, true);
     this.#begin();

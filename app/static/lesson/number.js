@@ -67,6 +67,17 @@ export function judgeNumber({ answer, factors, mistakes, tolerance, unit: own, u
   return { right: false, mistake };
 }
 
+/**
+ * A unit behind its number; a ratio has none.
+ * @param {string} unit
+ */
+export const unitWord = (unit) => (unit === '1' ? '' : unit);
+/**
+ * @param {number} value
+ * @param {string} unit
+ */
+export const quantityWords = (value, unit, digits = 6) => `${figures(value, digits)} ${unitWord(unit)}`.trim();
+
 /** @typedef {{ written: string, unit: string, done: boolean, said: number }} Trial  `said`: of the mistakes */
 
 /** @implements {Question} */
@@ -88,6 +99,7 @@ export class NumberQuestion {
     this.unit = make('select', { ariaLabel: text('lesson.unit') });
     this.unit.append(...part.units.map((/** @type {string} */ value) => make('option', { value, textContent: value })));
     this.unit.value = this.answer.unit;
+    const own = make('span', { textContent: unitWord(part.unit) });
     this.said_ = make('div', { className: 'lesson-says' });
     const check = mainButton(text('lesson.check'), () => this.#check());
     this.input.onkeydown = ({ key }) => key === 'Enter' && this.#check();
@@ -95,7 +107,7 @@ export class NumberQuestion {
       Object.assign(this.now, { written: this.input.value, unit: this.unit.value });
       lesson.keep();
     };
-    const row = make('div', { className: 'lesson-row' }, this.input, this.unit, check);
+    const row = make('div', { className: 'lesson-row' }, this.input, part.units.length > 1 ? this.unit : own, check);
     this.root = make('div', { className: 'lesson-number' }, row, this.said_);
     this.#render();
   }
@@ -162,9 +174,9 @@ export class NumberQuestion {
     /** @type {Trial} */
     const first = answer.first ?? answer;
     const found = read(first.written, part.units);
-    const words = make('p', { textContent: found ? `${figures(found.value, 6)} ${first.unit}` : '–' });
+    const words = make('p', { textContent: found ? quantityWords(found.value, first.unit) : '–' });
     const mine = make('div', {}, words, this.#judged(first.said, first.done));
     if (answer.tries > 1) mine.append(triesOf(answer.tries));
-    return first.done ? [mine] : [mine, make('p', { textContent: `${figures(part.answer, 4)} ${part.unit}` })];
+    return first.done ? [mine] : [mine, make('p', { textContent: quantityWords(part.answer, part.unit, 4) })];
   }
 }

@@ -6,6 +6,7 @@ import { LABELS } from '../text/words.js';
 import * as drawing from './drawing.js';
 import { eventsOf, timeOf } from './events.js';
 import { elementsOf } from './nodes.js';
+import { quantityWords, unitWord } from './number.js';
 import { mixed } from './order.js';
 import { asks } from './questions.js';
 
@@ -44,7 +45,7 @@ function emptyChart({ axis, given, until }, events) {
 const ASKED = {
   choice: ({ options }) =>
     options.map((/** @type {Part} */ each) => make('p', { className: 'print-box' }, ...elementsOf(each.text))),
-  number: ({ units }) => [make('p', { className: 'print-blank' }, units.join(' / '))],
+  number: ({ units }) => [make('p', { className: 'print-blank' }, units.map(unitWord).join(' / '))],
   order: ({ items }) =>
     mixed(items.length).map((k) => make('p', { className: 'print-box' }, ...elementsOf(items[k].text))),
   set: ({ slider, start }, lesson) => [
@@ -67,7 +68,7 @@ const RIGHT = {
         make('p', {}, ...elementsOf(each.say)),
       ]),
   number: ({ answer, unit, yes }) => [
-    make('p', {}, make('b', { textContent: `${figures(answer, 4)} ${unit}` })),
+    make('p', {}, make('b', { textContent: quantityWords(answer, unit, 4) })),
     make('p', {}, ...elementsOf(yes)),
   ],
   order: ({ items }) => [

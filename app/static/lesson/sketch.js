@@ -183,7 +183,7 @@ export class Sketch {
     this.show_.disabled = !this.#whole;
     this.hint.textContent = this.#whole
       ? ''
-      : text('lesson.draw-on', { until: this.lesson.timeWords(this.drawn.until) });
+      : text('lesson.draw-on', { begun: this.drawn.begun, until: this.lesson.timeWords(this.drawn.until) });
   }
   #render() {
     const { answer } = this;

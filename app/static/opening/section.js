@@ -73,6 +73,7 @@ export class Section {
   /** @type {Series | null} */ guess = null; // a line of force that was drawn by hand
   lone = false; // without other solutions beside the first, but these
   /** @type {Series[]} */ besides = [];
+  /** @type {(Series & { trip: number })[]} */ first = []; // the force of before
   called = ''; // what the first is called beside them
   words = new Words(); // that are not paler before their time
   /** @type {{ track: Track, place: Place }[]} */ tracks = [];
@@ -107,7 +108,7 @@ export class Section {
    * @param {Scene | null} shown  nothing of bodies that have no rows
    */
   draw(shown) {
-    if (this.lone && shown) shown = withBesides(shown, this.besides, this.called);
+    if (this.lone && shown) shown = withBesides(shown, [...this.besides, ...this.first], this.called, this.page.frame);
     this.shown = shown;
     this.root.hidden = !shown;
     this.page.root.classList.toggle('rowless', !shown);

@@ -1,6 +1,6 @@
 // This impact by every method, in a table.
 import { make, rowOf } from '../browser/dom.js';
-import { figures } from '../text/format.js';
+import { figures, localised } from '../text/format.js';
 import { described, family, leftOut, methodOf, said, text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
@@ -26,7 +26,8 @@ import { described, family, leftOut, methodOf, said, text } from '../text/catalo
 /** @typedef {{ error?: Note, chosen: Record<string, any>, rows?: Row[] }} Comparison */
 
 /** @param {number} value */
-const inPercent = (value) => (Math.abs(value) < 5e-9 ? '0' : Math.abs(value) < 5e-6 ? '< 0.001' : figures(100 * value));
+const inPercent = (value) =>
+  Math.abs(value) < 5e-9 ? '0' : Math.abs(value) < 5e-6 ? `< ${localised('0.001')}` : figures(100 * value);
 const COLUMNS = ['method', 'rebound', 'time', 'duration', 'found', 'reported', 'raw', 'force']; // a phone shows three
 const UNITS = family('methods.unit'); // below the names of columns
 

@@ -81,6 +81,13 @@ def test_gaps_are_nodes():
     assert order.no == (Node("value", "right"), Node("text", " of "), Node("value", "all"), Node("text", "."))
 
 
+def test_what_a_goal_is_about_has_a_gap():
+    table = 'slider = "mass_ratio"\nrange = [0.5, 2]\nstart = 1.0\ngoal = "restitution > 0.9"\n'
+    (goal,) = lesson(fence("set", table + 'not-yet = "{value}"\n[[found]]\nsay = "So."')).steps[0].parts
+    assert isinstance(goal, Set)
+    assert goal.not_yet == (Node("value", "value"),)
+
+
 def test_a_scene_goes_on_from_step_to_step():
     text = (
         "## One\n:::{scene}\nchanges = { mass_ratio = 0.8 }\n:::\n## Two\n:::{scene}\nchanges = { speed = 2.0 }\n:::\n"
