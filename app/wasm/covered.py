@@ -89,12 +89,13 @@ def _on_beam(scene: Scene) -> bool:
 
 
 def _compact(scene: Scene) -> bool:
-    """A mass on one at rest or on a wall, by a law with a closed form."""
+    """A mass on one at rest or on a wall, by a law with a closed form or a dent."""
     target, method = scene.target, scene.method
     if not _mass_strikes(scene) or not isinstance(target, (RigidMass, Wall)) or target.velocity:
         return False
     closed = method.get("name", usual_method(scene)) == QuasiStatic.NAME and method.keys() <= {"name", "model"}
-    return closed and isinstance(scene.contact, (Hertz, Power)) and exponent_of(scene.contact) != 1.0
+    known = isinstance(scene.contact, (Hertz, Power)) or scene.contact.PLASTIC
+    return closed and known and exponent_of(scene.contact) != 1.0
 
 
 ANSWERED_BY: dict[str, Callable[[Scene], bool]] = {  # by entry, as in `entries.ENTRIES`

@@ -90,10 +90,10 @@ def beam(
     room = march_room(n, BEAM_STEPS, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
     c, d = carray(constants, (CONSTANTS + 1,)), carray(drawn, (5, BEAM_INSTANTS))
     law, number, rigid = _law(c, compliance)
-    path, curve = carray(cycle, (2, BEAM_CYCLE)), carray(law_cycle, (2, BEAM_DEPTHS))
+    path, curve = carray(cycle, (3, BEAM_CYCLE)), carray(law_cycle, (2, BEAM_DEPTHS))
     bent = modal_drawn.Bent(
-        d[0], d[1], d[2], d[3], d[4], carray(rates, (LISTED, 4)), carray(force, (GROUPS,)), path[0], path[1], curve[0],
-        curve[1],
+        d[0], d[1], d[2], d[3], d[4], carray(rates, (LISTED, 4)), carray(force, (GROUPS,)), path[0], path[1], path[2],
+        curve[0], curve[1],
     )  # fmt: skip
     return modal_drawn.answer_of_beam(
         law, ANY_LAW, (c, LOSES[number], rigid), (mass, rigid_mass, whole, mean), (frequencies, at_contact, damping),
@@ -159,7 +159,7 @@ MODAL_ENTRIES = {
             "drawn": 5 * BEAM_INSTANTS,
             "rates": 4 * LISTED,
             "force": GROUPS,
-            "cycle": 2 * BEAM_CYCLE,
+            "cycle": 3 * BEAM_CYCLE,
             "lawCycle": 2 * BEAM_DEPTHS,
             "out": modal_drawn.COLUMNS,
         },

@@ -50,7 +50,7 @@ export function beamWith(kernels, from, chosen) {
   const { contacts, cycle, duration, step, steps } = found;
   const grown = (/** @type {Float64Array} */ values) => values.map((value) => value * speed);
   const { damps, exponent, name, yields } = law;
-  const { acting, ...kept } = withLaw(from, law);
+  const { acting, ...kept } = withLaw(from, law, chosen);
   const made = {
     ...kept,
     ...Object.fromEntries(BESIDE.filter((each) => each in from).map((each) => [each, undefined])),

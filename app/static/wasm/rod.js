@@ -67,7 +67,7 @@ export function rodWith(kernels, from, chosen) {
   const scales = { speed, forceUnit: from.forceUnit * times, stressUnit: from.stressUnit * times };
   const { duration, histories: drawn } = impact;
   const made = {
-    ...withLaw(from, law),
+    ...withLaw(from, law, chosen),
     ...{ damps: law.damps, exponent: law.exponent, nominal: law.nominal, yields: law.yields },
     ...{ ...scales, rigid: !law.constants.length },
     chosen,
