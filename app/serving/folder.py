@@ -40,6 +40,13 @@ REMADE = {  # by kind of message: histories that kernels make anew, or that only
     ),
 }
 REMADE_BESIDE = ("modalForce", "otherMass", "otherEnd")  # of a rod, where modes are marched as usual
+REMADE_STIFF = (
+    "fieldForce",
+    "otherMass",
+    "otherEnd",
+    "otherTime",
+    "otherForce",
+)  # where those left out do not give way
 REMADE_SPRING = (  # of one that bends as a spring
     *("otherMass", "otherEnd", "otherTime", "otherForce", "fieldStress", "fieldVelocity", "fieldDisplacement"),
 )
@@ -53,6 +60,8 @@ REMADE_BALANCE = (*REMADE_SPRING, "balanceTime", "balanceForce")  # of one that 
 FIGURES = ("exact", "other", "main", "reference")  # that kernels find anew
 DIGITS, EXACT = 4, ("contacts", "notes")  # of them; contacts tell whether a kernel covers an impact
 FIRST_LETTER, LETTER = 0x4000, 15  # of a script, as start.js reads it: none stands for more than itself; bits
+COARSE = ("shapeRows", "momentRows", "shearRows", "fieldStress", "fieldVelocity", "fieldDisplacement")  # likewise
+COARSER, LARGEST = 32, 1023  # times as coarse as two bytes are, and the largest number then
 BRIEF = ("otherMass", "otherEnd", "otherTime", "otherForce")  # beside these
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
@@ -174,6 +183,12 @@ def _brief(values: np.ndarray) -> tuple[bytes, list[float]]:
     return numbers.tobytes() + b"\0" * (2 * (numbers.size % 2)), [unit]
 
 
+def _coarse(numbers: bytes) -> bytes:
+    """Whole numbers of two bytes, as fine as a picture shows."""
+    fine = np.frombuffer(numbers, np.int16).astype(int)
+    return (np.rint(fine / COARSER).clip(-LARGEST, LARGEST) * COARSER).astype(np.int16).tobytes()
+
+
 def _rounded(value: Any) -> Any:
     """With a few digits of every number."""
     if isinstance(value, dict):
@@ -186,7 +201,9 @@ def _rounded(value: Any) -> Any:
 def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
     """Header and arrays of a message, of which those are empty that the kernels of the browser make anew."""
     header, at = read_header(message), 4 + int.from_bytes(message[:4], "little")
-    remade = REMADE[header["kind"]] + (REMADE_BESIDE if header.get("usualSteps") else ())
+    remade = REMADE[header["kind"]]
+    if header.get("usualSteps"):
+        remade += REMADE_BESIDE if header["givesWay"] else REMADE_STIFF
     if header.get("springCarries") is not None:
         remade += REMADE_SPRING
     if header.get("balance"):
@@ -211,6 +228,8 @@ def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
         elif name in kept:
             entry[1] = [1]
             arrays.append(message[at + 2 * deepest : at + 2 * deepest + 2] + b"\0\0")
+        elif name in COARSE:
+            arrays.append(_coarse(message[at : at + size]))
         else:
             arrays.append(message[at : at + size])
         at += size

@@ -71,12 +71,14 @@ def rod(
 
 
 def law(
-    beta, reflection, constants, beside, nodes, counts, flags, start, values, closed, breaks, rows, nothing, pressing,
-    jumps, wave_time, wave, force_time, force, mass, end, whole, depths, presses, loading, unloading, contacts, out,
+    beta, reflection, asked, constants, beside, nodes, counts, flags, start, values, closed, breaks, rows, nothing,
+    pressing, jumps, wave_time, wave, force_time, force, mass, end, whole, depths, presses, loading, unloading,
+    contacts, out,
 ):  # fmt: skip
     """One that strikes through a contact law: `solvers.numerics.waves.law_drawn.answer`.
 
-    constants: those of the law in units of T, v and Z v, and behind them its number among KINDS, for both ends.
+    asked: for how long, or 0: until they have parted for good; constants: those of the law in units of T, v and Z v,
+    and behind them its number among KINDS, for both ends.
     """
     b, f = carray(beside, (8, 3)), carray(nodes, (8, 2))
     n, yes = carray(counts, (6, 2)), carray(flags, (6, 2))
@@ -108,7 +110,7 @@ def law(
         carray(unloading, (DEPTHS,)),
     )
     return law_drawn.answer(
-        chain, record, state, work, ANY_LAW, of_law, TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, POINTS,
+        chain, record, state, work, ANY_LAW, of_law, (TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, asked), POINTS,
         carray(pressing, (CONTACTS, 2)), carray(contacts, (CONTACTS, law_drawn.CONTACT_COLUMNS)),
         _drawn(jumps, wave_time, wave, force_time, force, mass, end, whole), cycle,
         carray(out, (law_drawn.COLUMNS,)),
@@ -167,7 +169,7 @@ WAVE_ENTRIES = {
     ),
     "law": Entry(
         law,
-        2,
+        3,
         {
             "constants": 2 * (CONSTANTS + 1),
             "beside": 8 * 3,

@@ -4,6 +4,7 @@ import { DASHPOTS, LAWS, OUT, ROOM } from './room.js';
 const [PAGE, NUMBER, ALIGNED] = [65536, 8, 64]; // bytes
 // numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py, and modal_drawn.py
 const CONTACT = { rod: 7, law: 5, modes: 5 };
+const MODES = { own: 0, stiff: 1, given: 2 }; // as in app/wasm/modal_entries.py
 const BESIDE = { power: 0, sine: 1, path: 2 }; // of two compact bodies: as in solvers/numerics/compact_drawn.py
 
 // of a beam: as in solvers/numerics/modal_drawn.py
@@ -202,15 +203,16 @@ export class Kernels {
    * @param {number} beta
    * @param {1 | -1} reflection
    * @param {Pick<LawRecord, 'name' | 'constants'>} law  with its constants in units T, v and Z v
+   * @param {number} asked  for how long [T]; 0: until they have parted for good
    * @returns {Impact | null}
    */
-  law(beta, reflection, { name, constants }) {
+  law(beta, reflection, { name, constants }, asked = 0) {
     const places = ROOM.law.constants / 2;
     if (!this.roomFor('law')) return null;
     const given = this.array('law', 'constants', ROOM.law.constants).fill(0);
     for (const end of [0, 1]) given.set([...constants], end * places);
     for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
-    const run = this.#run('law', beta, reflection);
+    const run = this.#run('law', beta, reflection, asked);
     if (!run) return null;
     const { common, figures, read, rows } = run;
     const { apart, deepest, dent, dissipated, final } = figures;
@@ -227,12 +229,15 @@ export class Kernels {
    * @param {number} count  of modes
    * @param {number} touching  [T], until the last parting by waves
    * @param {number} duration  [T]
+   * @param {keyof typeof MODES} kind  its own, of which those left out give way or not, or given ones
+   * @param {{ frequencies: Float64Array, atContact: Float64Array }} [of]  given ones
    * @returns {ModalImpact | null}
    */
-  modes(beta, reflection, law, count, touching, duration) {
+  modes(beta, reflection, law, count, touching, duration, kind, of) {
     if (!this.roomFor('modes')) return null;
     this.#give('modes', law);
-    const called = this.call('modes', beta, reflection, count, touching, duration);
+    if (of) this.array('modes', 'shapes', 2 * count).set([...of.frequencies, ...of.atContact]);
+    const called = this.call('modes', beta, reflection, count, touching, duration, MODES[kind]);
     if (!called) return null;
     const { figures, read } = called;
     const force = read('histories', figures.steps);
