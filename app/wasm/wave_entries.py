@@ -7,7 +7,7 @@ from numba import carray
 
 from solvers.contact.damping import OF_KERNELS
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
-from solvers.numerics.law_functions import CONSTANTS
+from solvers.numerics.law_functions import CONSTANTS, one_of
 from solvers.numerics.polynomials import MAX_INTERVALS, RootWork
 from solvers.numerics.waves import law_drawn, rigid_drawn, rigid_figures
 from solvers.numerics.waves.collocation import STAGES
@@ -117,28 +117,24 @@ def law(
     )  # fmt: skip
 
 
-def _dashpot_of(number: int) -> Callable:
-    """The damping number of the laws from this one on, and its nominal restitution."""
-    number_for, nominal = OF_KERNELS[DASHPOTS[number]]
-    others = _dashpot_of(number + 1) if number + 1 < len(DASHPOTS) else None
+def _dashpot_of(number_for: Callable, nominal: Callable) -> Callable:
+    """The damping number of a law, and its nominal restitution."""
 
     @numba.njit(error_model="numpy")
-    def found(which, restitution):
-        if others is None or which == number:
-            value = number_for(restitution)
-            return value, nominal(value)
-        return others(which, restitution)
+    def found(restitution):
+        value = number_for(restitution)
+        return value, nominal(value)
 
     return found
 
 
-_dashpot = _dashpot_of(0)
+_dashpot = one_of([_dashpot_of(*of) for of in OF_KERNELS.values()])
 
 
 def dashpot(which, restitution, out):
     """Of a law among DASHPOTS: the damping number that delivers a restitution, and what its usual formula calls it."""
     found = carray(out, (2,))
-    found[0], found[1] = _dashpot(which, restitution)
+    found[0], found[1] = _dashpot(int(which), restitution)
     return 0
 
 

@@ -5,7 +5,7 @@ import { figuresOf } from './figures.js';
 /** @import { AxialFrame, LawRecord } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
 
-const MOST_ATTACHED = 200; // modes that are found anew within a picture
+const MOST_ATTACHED = 100; // modes that are found anew within a picture
 
 /**
  * Whether it is by modes as they are usually marched.
