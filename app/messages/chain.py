@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from solvers import Modal, Scene, Solution, Waves
+from solvers import Modal, QuasiStatic, Scene, Solution, Waves
 from solvers.bodies import RigidMass, Rod, Waveguide
 from solvers.contact import Rigid
 from solvers.methods.base import AFTERGLOW
@@ -15,7 +15,7 @@ SAME = 1e-9  # [T] by which two durations may differ
 def chain_fields(scene: Scene, exact: Solution, other: Solution | None) -> dict[str, Any] | None:
     """What holds at every node and its gap [v T], and for how long it is solved if that is asked [T], else 0.
 
-    Rigid faces only: a method beside is the same at any speed then, where it is linear too. None for other impacts.
+    Rigid faces only: a method beside is the same at any speed then, as it is linear too. None for other impacts.
     """
     target = scene.target
     if not isinstance(target, Waveguide) or not isinstance(scene.impactor, (RigidMass, Rod)):
@@ -25,7 +25,8 @@ def chain_fields(scene: Scene, exact: Solution, other: Solution | None) -> dict[
         return None
     given = ChainScene(scene)
     gaps = given.chain.gap.tolist()
-    if len(given.rods) > MOST_RODS or not (other is None or (other.method["name"] == Modal.NAME and not any(gaps))):
+    linear = other is not None and other.method["name"] in (Modal.NAME, QuasiStatic.NAME) and not any(gaps)
+    if len(given.rods) > MOST_RODS or not (other is None or linear):
         return None
     return {"kinds": given.chain.kind.tolist(), "gaps": gaps, "asked": _asked(scene, exact, other)}
 

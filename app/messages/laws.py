@@ -55,15 +55,17 @@ def laws_of_a_rod(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any
 
 
 def laws_of_compact_bodies(scene: Scene, chosen: Mapping[str, Any], other: Solution | None) -> list[dict[str, Any]]:
-    """`law_fields` of a mass on one at rest or on a wall, by laws that have a closed form, in s, kg and the speed; none
-    for others, nor for a spring, whose contact takes a whole number of steps: rounding decides whether one more.
+    """`law_fields` of a mass on one at rest or on a wall, by laws that have a closed form or a dent, in s, kg and the
+    speed; none for others, nor for a spring, whose contact takes a whole number of steps: rounding decides whether one
+    more.
     """
     target, known = scene.target, own_options(scene, QuasiStatic.NAME).keys() <= {"model"}
     if not isinstance(scene.impactor, RigidMass) or not isinstance(target, (RigidMass, Wall)) or target.velocity:
         return []
     if chosen["method"] != QuasiStatic.NAME or not known or other is None or "duration" in scene.method:
         return []
-    closed = (Hertz.NAME,) if other.method["model"] == SINE else (Hertz.NAME, Power.NAME)
+    sine = other.method["model"] == SINE
+    closed = {Hertz.NAME} if sine else {Hertz.NAME, Power.NAME, *(law.NAME for law in LAWS.values() if law.PLASTIC)}
     if scene.contact.NAME not in closed:
         return []
     found = law_fields(scene, chosen, Units(1.0, 1.0))

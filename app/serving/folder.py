@@ -41,22 +41,32 @@ REMADE = {  # by kind of message: histories that kernels make anew, or that only
     "beam": (
         *("time", "impactorPath", "struckPath", "impactorRate", "struckRate", "rates", "modalForce", *CYCLE),
         *("referenceImpactorPath", "referenceStruckPath", "referenceTime", "referenceForce"),
-        *("staticTime", "staticPath", "halfTime", "halfForce", "touchFlow", "flowDepth", "flowPressure"),
-        *("flowRadius", "flowElastic", "testsDepth", "testsPressure", "testsForce"),
+        *("staticTime", "staticPath", "halfTime", "halfForce"),
     ),
 }
-FLOWING = ("blowDepth", "touchRadius")  # beside a flow that only a server knows
 REMADE_BESIDE = ("modalForce", "otherMass", "otherEnd")  # of a rod, where modes are marched as usual
+REMADE_STIFF = (
+    "fieldForce",
+    "otherMass",
+    "otherEnd",
+    "otherTime",
+    "otherForce",
+)  # where those left out do not give way
 REMADE_SPRING = (  # of one that bends as a spring
     *("otherMass", "otherEnd", "otherTime", "otherForce", "fieldStress", "fieldVelocity", "fieldDisplacement"),
 )
 AT_THE_DEEPEST = ("blowDepth", "touchRadius")  # that one pair tells how round the faces are
+FLOWING = (*AT_THE_DEEPEST, "touchPressure", "touchFlow")  # and this one where they yield
 REMADE_COMPACT = ("otherMass", "otherEnd", "otherTime", "otherForce")  # of two bodies that move as wholes
 REMADE_CHAIN = tuple(  # of rods one behind the other: what both ends of each send
     f"{way}{number}{of}" for number in range(MOST_RODS) for way in "fg" for of in ("Time", "")
 )
 REMADE_BALANCE = (*REMADE_SPRING, "balanceTime", "balanceForce")  # of one that is balanced, or a mass on a spring
+FIGURES = ("exact", "other", "main", "reference")  # that kernels find anew
+DIGITS, EXACT = 4, ("contacts", "notes")  # of them; contacts tell whether a kernel covers an impact
 FIRST_LETTER, LETTER = 0x4000, 15  # of a script, as start.js reads it: none stands for more than itself; bits
+COARSE = ("shapeRows", "momentRows", "shearRows", "fieldStress", "fieldVelocity", "fieldDisplacement")  # likewise
+COARSER, LARGEST = 32, 1023  # times as coarse as two bytes are, and the largest number then
 BRIEF = ("otherMass", "otherEnd", "otherTime", "otherForce")  # beside these
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
@@ -193,10 +203,27 @@ def _brief(values: np.ndarray) -> tuple[bytes, list[float]]:
     return numbers.tobytes() + b"\0" * (2 * (numbers.size % 2)), [unit]
 
 
+def _coarse(numbers: bytes) -> bytes:
+    """Whole numbers of two bytes, as fine as a picture shows."""
+    fine = np.frombuffer(numbers, np.int16).astype(int)
+    return (np.rint(fine / COARSER).clip(-LARGEST, LARGEST) * COARSER).astype(np.int16).tobytes()
+
+
+def _rounded(value: Any) -> Any:
+    """With a few digits of every number."""
+    if isinstance(value, dict):
+        return {name: each if name in EXACT else _rounded(each) for name, each in value.items()}
+    if isinstance(value, list):
+        return [_rounded(each) for each in value]
+    return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value
+
+
 def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
     """Header and arrays of a message, of which those are empty that the kernels of the browser make anew."""
     header, at = read_header(message), 4 + int.from_bytes(message[:4], "little")
-    remade = REMADE[header["kind"]] + (REMADE_BESIDE if header.get("usualSteps") else ())
+    remade = REMADE[header["kind"]]
+    if header.get("usualSteps"):
+        remade += REMADE_BESIDE if header["givesWay"] else REMADE_STIFF
     if header.get("springCarries") is not None:
         remade += REMADE_SPRING
     if header.get("balance"):
@@ -205,25 +232,28 @@ def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
         remade += REMADE_COMPACT
     if header.get("chain"):
         remade += REMADE_CHAIN
-    if any(name == "touchFlow" for name, *_ in header["arrays"]):
-        remade += FLOWING
     known, arrays = arrays_of(message), []
-    remade += () if "touchRadius" in known else AT_THE_DEEPEST
+    kept = FLOWING if "touchFlow" in known else AT_THE_DEEPEST if "touchRadius" in known else ()
+    remade += AT_THE_DEEPEST
     deepest = int(np.argmax(known.get("touchRadius", 0.0)))
     for entry in header["arrays"]:
         name, shape, *unit = entry
         size = (2 if unit else 4) * math.prod(shape)
         size += -size % 4
-        if name in remade:
+        if name in remade and name not in kept:
             entry[1] = [0]
         elif name in BRIEF and header.get("chain") and not unit:
             numbers, entry[2:] = _brief(known[name])
             arrays.append(numbers)
-        elif name in AT_THE_DEEPEST:
+        elif name in kept:
             entry[1] = [1]
             arrays.append(message[at + 2 * deepest : at + 2 * deepest + 2] + b"\0\0")
+        elif name in COARSE:
+            arrays.append(_coarse(message[at : at + size]))
         else:
             arrays.append(message[at : at + size])
         at += size
+    figures = FIGURES if not header.get("chain") else FIGURES[:1]  # beside a chain another method stays as it is
+    header |= {name: _rounded(header[name]) for name in figures if name in header}
     text = json.dumps(header, separators=(",", ":")).encode()
     return text + b" " * (-len(text) % 4), arrays

@@ -404,7 +404,9 @@ export interface AxialFrame extends Common {
   /** v sqrt(E rho) [Pa] */ stressUnit: number;
   /** chosen */ modes: number;
   /** of the modal force, or that on the modes [T] */ step: number | null;
-  /** whether the modal force has as many steps as follow from the choices */ usualSteps: boolean;
+  /** for how long the impact is followed if that is asked [T], else 0 */ asked: number;
+  /** whether modes are marched in as many steps as follow from the choices */ usualSteps: boolean;
+  /** whether modes that are left out do */ givesWay: boolean;
   /** whether these modes are those of a frame fixed to the struck end */ attached: boolean;
   exact: AxialFigures;
   /** the method beside it */ other: AxialFigures | null;

@@ -1,11 +1,11 @@
-"""Two compact bodies, marched through a contact law and by the closed form of it, for the browser."""
+"""Two compact bodies, marched through a contact law and by the closed form or path of it, for the browser."""
 
 import numba
 from numba import carray
 
 from solvers.contact.duration import half_swing
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
-from solvers.numerics import compact_drawn, modal_drawn
+from solvers.numerics import compact_drawn, modal_drawn, path_collision
 from solvers.numerics.closed_collisions import Collision
 from solvers.numerics.law_functions import CONSTANTS
 from solvers.numerics.single_degree import SAMPLES
@@ -15,7 +15,8 @@ from .entry import ANY_LAW, CYCLE, DEPTHS, INSTANTS, INTEGERS, JUMPING, REMEMBER
 from .modal_entries import AnyStepped, march_room, room_of
 
 CONTACTS, STEPS = 4, 2_000
-COURSE = SAMPLES + 3  # instants of the closed form, one at the very end
+COURSE = max(SAMPLES + 1, path_collision.instants(6))  # of what stands beside: few have more than four stretches
+EDGES = path_collision.STRETCHES + 1
 
 
 @numba.njit
@@ -24,32 +25,34 @@ def _force(depth, constants, slopes):
 
 
 def compact(
-    mass, whole, exponent, sine, constants, shapes, oscillators, histories, saved, saved_rates, runs, slopes, contacts,
-    impactor, face, force_time, force, other_impactor, other_face, other_time, other_force, course, cycle, law_cycle,
-    figures, out,
+    mass, whole, exponent, kind, constants, shapes, oscillators, histories, saved, saved_rates, runs, slopes, contacts,
+    impactor, face, force_time, force, other_impactor, other_face, other_time, other_force, course, cell, edges, cycle,
+    law_cycle, figures, out,
 ):  # fmt: skip
-    """`solvers.numerics.compact_drawn.answer`: of both masses, in s, kg and v; sine: whether by the half sine, or 0."""
+    """`solvers.numerics.compact_drawn.answer`: of both masses, in s, kg and v; kind: POWER and so on."""
     room = march_room(1, STEPS, 2, histories, saved, saved_rates, oscillators, runs, slopes)
-    c, s, h = carray(constants, (CONSTANTS + 1,)), carray(shapes, (3, 1)), carray(course, (8, COURSE))
-    n, number = COURSE - 2, int(c[CONSTANTS])
-    path, curve = carray(cycle, (2, CYCLE)), carray(law_cycle, (2, DEPTHS))
+    c, s, h = carray(constants, (CONSTANTS + 1,)), carray(shapes, (3, 1)), carray(course, (8, COURSE + 1))
+    n, number = COURSE, int(c[CONSTANTS])
+    pressed, curve = carray(cycle, (3, CYCLE)), carray(law_cycle, (2, DEPTHS))
     reduced = 1.0 / (1.0 / mass + 1.0 / whole)
     trip = half_swing(_force, (c, room.slopes), reduced, 1.0)
     drawn = compact_drawn.Drawn(
         carray(impactor, (INSTANTS,)), carray(face, (INSTANTS,)), carray(force_time, (2 * STEPS,)),
         carray(force, (2 * STEPS,)), carray(other_impactor, (INSTANTS,)), carray(other_face, (INSTANTS,)),
-        carray(other_time, (COURSE - 1,)), carray(other_force, (COURSE - 1,)), h[7][: COURSE - 1],
+        carray(other_time, (COURSE + 1,)), carray(other_force, (COURSE + 1,)), h[7],
     )  # fmt: skip
-    nothing = path[0][:0]
+    nothing = pressed[0][:0]
     bent = modal_drawn.Bent(
-        nothing, nothing, nothing, nothing, nothing, carray(shapes, (0, 4)), nothing, path[0], path[1], curve[0],
-        curve[1],
+        nothing, nothing, nothing, nothing, nothing, carray(shapes, (0, 4)), nothing, pressed[0], pressed[1],
+        pressed[2], curve[0], curve[1],
     )  # fmt: skip
     followed = Collision(h[0][:n], h[1][:n], h[2][:n], h[3][:n], h[4][:n], h[5][:n], h[6][:n])
+    path = compact_drawn.Path(carray(cell, (2, path_collision.STAGES)), carray(edges, (EDGES,)))
     return compact_drawn.answer(
-        AnyStepped(number, c[0], c[1], c[2], c[3], c[4], c[5]), ANY_LAW, c, (exponent, c[0], sine > 0.0),
+        AnyStepped(number, c[0], c[1], c[2], c[3], c[4], c[5]), ANY_LAW, c,
+        compact_drawn.Sort(int(kind), exponent, c[0], SAMPLES + 1),
         (mass, whole), trip, (JUMPING[number], REMEMBERS[number]), (MAX_ROUND_TRIPS, AFTERGLOW), (s[0], s[1], s[2]),
-        room, carray(contacts, (CONTACTS, modal_drawn.CONTACT_COLUMNS)), bent, followed, drawn,
+        room, carray(contacts, (CONTACTS, modal_drawn.CONTACT_COLUMNS)), bent, path, followed, drawn,
         carray(figures, (modal_drawn.COLUMNS,)), carray(out, (compact_drawn.COLUMNS,)),
     )  # fmt: skip
 
@@ -67,10 +70,12 @@ COMPACT_ENTRIES = {
             "force": 2 * STEPS,
             "otherImpactor": INSTANTS,
             "otherFace": INSTANTS,
-            "otherTime": COURSE - 1,
-            "otherForce": COURSE - 1,
-            "course": 8 * COURSE,
-            "cycle": 2 * CYCLE,
+            "otherTime": COURSE + 1,
+            "otherForce": COURSE + 1,
+            "course": 8 * (COURSE + 1),
+            "cell": 2 * path_collision.STAGES,
+            "edges": EDGES,
+            "cycle": 3 * CYCLE,
             "lawCycle": 2 * DEPTHS,
             "figures": modal_drawn.COLUMNS,
             "out": compact_drawn.COLUMNS,
@@ -88,6 +93,7 @@ COMPACT_ENTRIES = {
             "local": compact_drawn.LOCAL,
             "dissipated": compact_drawn.DISSIPATED,
             "deepest": compact_drawn.DEEPEST,
+            "dent": compact_drawn.DENT_LEFT,
             "contacts": compact_drawn.CONTACTS,
             "touches": compact_drawn.TOUCHES,
             "highest": compact_drawn.HIGHEST,
@@ -96,7 +102,10 @@ COMPACT_ENTRIES = {
             "gone": compact_drawn.GONE,
             "parted": compact_drawn.PARTED,
             "held": compact_drawn.HELD,
+            "lost": compact_drawn.LOST,
             "depth": compact_drawn.DEPTH,
+            "dented": compact_drawn.DENTED,
+            "points": compact_drawn.POINTS,
             "end": compact_drawn.END,
             "peak": compact_drawn.PEAK,
         },

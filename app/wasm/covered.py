@@ -37,11 +37,13 @@ def _on_plain_rod(scene: Scene) -> bool:
 
 
 def _on_rod(scene: Scene) -> bool:
-    """The same by waves or modes for as long as is usual."""
-    method = scene.method
-    name = method.get("name", Waves.NAME)
+    """The same by waves or modes; through a law for as long as is asked, and by modes that are all there is."""
+    method, law = scene.method, not scene.rigid_contact
+    name, known = method.get("name", Waves.NAME), {"name", "modes"} | ({"duration"} if law else set())
+    if name == Modal.NAME and law and not method.get("residual", True):
+        known |= {"residual"} | ({"frame"} if method.get("frame", "attached") == "attached" else set())
     return _on_plain_rod(scene) and (
-        (name == Waves.NAME and "duration" not in method) or (name == Modal.NAME and method.keys() <= {"name", "modes"})
+        (name == Waves.NAME and (law or "duration" not in method)) or (name == Modal.NAME and method.keys() <= known)
     )
 
 
@@ -54,7 +56,8 @@ def _on_chain(scene: Scene) -> bool:
     if not all(law is None or isinstance(law, Rigid) for law in laws) or _on_plain_rod(scene):
         return False
     few = len(impactor.rods) + len(target.rods) <= MOST_RODS
-    return few and method.get("name", Waves.NAME) == Waves.NAME and method.keys() <= {"name", "duration"}
+    known = {Waves.NAME: {"name", "duration"}, QuasiStatic.NAME: {"name", "model"}}.get(method.get("name", Waves.NAME))
+    return few and known is not None and method.keys() <= known
 
 
 def _on_spring(scene: Scene) -> bool:
@@ -89,12 +92,13 @@ def _on_beam(scene: Scene) -> bool:
 
 
 def _compact(scene: Scene) -> bool:
-    """A mass on one at rest or on a wall, by a law with a closed form."""
+    """A mass on one at rest or on a wall, by a law with a closed form or a dent."""
     target, method = scene.target, scene.method
     if not _mass_strikes(scene) or not isinstance(target, (RigidMass, Wall)) or target.velocity:
         return False
     closed = method.get("name", usual_method(scene)) == QuasiStatic.NAME and method.keys() <= {"name", "model"}
-    return closed and isinstance(scene.contact, (Hertz, Power)) and exponent_of(scene.contact) != 1.0
+    known = isinstance(scene.contact, (Hertz, Power)) or scene.contact.PLASTIC
+    return closed and known and exponent_of(scene.contact) != 1.0
 
 
 ANSWERED_BY: dict[str, Callable[[Scene], bool]] = {  # by entry, as in `entries.ENTRIES`

@@ -47,29 +47,33 @@ def _law(constants, compliance):
 
 
 def modes(
-    beta, reflection, count, touching, duration, constants, shapes, oscillators, histories, saved, saved_rates, runs,
-    slopes, contacts, mass, end, out,
+    beta, reflection, count, touching, duration, given, constants, shapes, oscillators, histories, saved, saved_rates,
+    runs, slopes, contacts, mass, end, out,
 ):  # fmt: skip
     """A mass on a uniform rod by its lowest modes: `solvers.numerics.modal_drawn.answer`, in units T, v and Z v.
 
-    touching: until the last parting by waves; constants: those of the law and its number among KINDS; negative: rigid.
+    touching: until the last parting by waves; given: or 0: its own modes, and those left out give way; 1: they do not;
+    2: so, and frequencies and amplitudes stand in `shapes`; constants: those of the law and its number among KINDS;
+    negative: rigid.
     """
     n, fixed = int(count), reflection > 0.0
     if n > MODES:
         return NO_ROOM
     frequencies, at_contact, damping = carray(shapes, (3, n))
-    compliance = uniform_rod(fixed, frequencies)  # k L, which is half of omega T
+    own, rest = damping, uniform_rod(fixed, damping)  # k L, which is half of omega T
+    steps = steps_drawn(np.pi / own[n - 1], touching, duration)
     for i in range(n):
-        frequencies[i], at_contact[i], damping[i] = 2.0 * frequencies[i], 2.0, 0.0
-    period = 2.0 * np.pi / frequencies[n - 1]
-    steps = steps_drawn(period, touching, duration)
+        if given < 2.0:
+            frequencies[i], at_contact[i] = 2.0 * own[i], 2.0
+        damping[i] = 0.0
+    period, compliance = 2.0 * np.pi / frequencies[n - 1], 0.0 if given > 0.0 else rest
     room = march_room(n, steps, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
     c, step = carray(constants, (CONSTANTS + 1,)), duration / steps
     law, number, rigid = _law(c, compliance)
     spring = residual_spring(0.0 if rigid else compliance, step, period, JUMPING[number], REMEMBERS[number])
-    own, known = np.inf if fixed else 0.5, (frequencies, at_contact, damping)
+    whole, known = np.inf if fixed else 0.5, (frequencies, at_contact, damping)
     return modal_drawn.answer(
-        law, ANY_LAW, (c, LOSES[number], rigid), spring, (0.5 / beta, own, own, 1.0), known,
+        law, ANY_LAW, (c, LOSES[number], rigid), spring, (0.5 / beta, whole, whole, 1.0), known,
         step, steps // (CHECKPOINTS - 1) + 1, room, carray(contacts, (CONTACTS, modal_drawn.CONTACT_COLUMNS)),
         (carray(mass, (INSTANTS,)), carray(end, (INSTANTS,))), carray(out, (modal_drawn.COLUMNS,)),
     )  # fmt: skip
@@ -90,10 +94,10 @@ def beam(
     room = march_room(n, BEAM_STEPS, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
     c, d = carray(constants, (CONSTANTS + 1,)), carray(drawn, (5, BEAM_INSTANTS))
     law, number, rigid = _law(c, compliance)
-    path, curve = carray(cycle, (2, BEAM_CYCLE)), carray(law_cycle, (2, BEAM_DEPTHS))
+    path, curve = carray(cycle, (3, BEAM_CYCLE)), carray(law_cycle, (2, BEAM_DEPTHS))
     bent = modal_drawn.Bent(
-        d[0], d[1], d[2], d[3], d[4], carray(rates, (LISTED, 4)), carray(force, (GROUPS,)), path[0], path[1], curve[0],
-        curve[1],
+        d[0], d[1], d[2], d[3], d[4], carray(rates, (LISTED, 4)), carray(force, (GROUPS,)), path[0], path[1], path[2],
+        curve[0], curve[1],
     )  # fmt: skip
     return modal_drawn.answer_of_beam(
         law, ANY_LAW, (c, LOSES[number], rigid), (mass, rigid_mass, whole, mean), (frequencies, at_contact, damping),
@@ -139,7 +143,7 @@ def room_of(modes: int, steps: int, checkpoints: int = CHECKPOINTS) -> dict[str,
 MODAL_ENTRIES = {
     "modes": Entry(
         modes,
-        5,
+        6,
         {
             **room_of(MODES, STEPS),
             "contacts": modal_drawn.CONTACT_COLUMNS * CONTACTS,
@@ -159,7 +163,7 @@ MODAL_ENTRIES = {
             "drawn": 5 * BEAM_INSTANTS,
             "rates": 4 * LISTED,
             "force": GROUPS,
-            "cycle": 2 * BEAM_CYCLE,
+            "cycle": 3 * BEAM_CYCLE,
             "lawCycle": 2 * BEAM_DEPTHS,
             "out": modal_drawn.COLUMNS,
         },

@@ -7,7 +7,7 @@ from numba import carray
 
 from solvers.contact.damping import OF_KERNELS
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
-from solvers.numerics.law_functions import CONSTANTS
+from solvers.numerics.law_functions import CONSTANTS, one_of
 from solvers.numerics.polynomials import MAX_INTERVALS, RootWork
 from solvers.numerics.waves import law_drawn, rigid_drawn, rigid_figures
 from solvers.numerics.waves.collocation import STAGES
@@ -71,12 +71,14 @@ def rod(
 
 
 def law(
-    beta, reflection, constants, beside, nodes, counts, flags, start, values, closed, breaks, rows, nothing, pressing,
-    jumps, wave_time, wave, force_time, force, mass, end, whole, depths, presses, loading, unloading, contacts, out,
+    beta, reflection, asked, constants, beside, nodes, counts, flags, start, values, closed, breaks, rows, nothing,
+    pressing, jumps, wave_time, wave, force_time, force, mass, end, whole, depths, presses, loading, unloading,
+    contacts, out,
 ):  # fmt: skip
     """One that strikes through a contact law: `solvers.numerics.waves.law_drawn.answer`.
 
-    constants: those of the law in units of T, v and Z v, and behind them its number among KINDS, for both ends.
+    asked: for how long, or 0: until they have parted for good; constants: those of the law in units of T, v and Z v,
+    and behind them its number among KINDS, for both ends.
     """
     b, f = carray(beside, (8, 3)), carray(nodes, (8, 2))
     n, yes = carray(counts, (6, 2)), carray(flags, (6, 2))
@@ -108,35 +110,31 @@ def law(
         carray(unloading, (DEPTHS,)),
     )
     return law_drawn.answer(
-        chain, record, state, work, ANY_LAW, of_law, TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, POINTS,
+        chain, record, state, work, ANY_LAW, of_law, (TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, asked), POINTS,
         carray(pressing, (CONTACTS, 2)), carray(contacts, (CONTACTS, law_drawn.CONTACT_COLUMNS)),
         _drawn(jumps, wave_time, wave, force_time, force, mass, end, whole), cycle,
         carray(out, (law_drawn.COLUMNS,)),
     )  # fmt: skip
 
 
-def _dashpot_of(number: int) -> Callable:
-    """The damping number of the laws from this one on, and its nominal restitution."""
-    number_for, nominal = OF_KERNELS[DASHPOTS[number]]
-    others = _dashpot_of(number + 1) if number + 1 < len(DASHPOTS) else None
+def _dashpot_of(number_for: Callable, nominal: Callable) -> Callable:
+    """The damping number of a law, and its nominal restitution."""
 
     @numba.njit(error_model="numpy")
-    def found(which, restitution):
-        if others is None or which == number:
-            value = number_for(restitution)
-            return value, nominal(value)
-        return others(which, restitution)
+    def found(restitution):
+        value = number_for(restitution)
+        return value, nominal(value)
 
     return found
 
 
-_dashpot = _dashpot_of(0)
+_dashpot = one_of([_dashpot_of(*of) for of in OF_KERNELS.values()])
 
 
 def dashpot(which, restitution, out):
     """Of a law among DASHPOTS: the damping number that delivers a restitution, and what its usual formula calls it."""
     found = carray(out, (2,))
-    found[0], found[1] = _dashpot(which, restitution)
+    found[0], found[1] = _dashpot(int(which), restitution)
     return 0
 
 
@@ -167,7 +165,7 @@ WAVE_ENTRIES = {
     ),
     "law": Entry(
         law,
-        2,
+        3,
         {
             "constants": 2 * (CONSTANTS + 1),
             "beside": 8 * 3,

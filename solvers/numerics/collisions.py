@@ -11,12 +11,10 @@ from typing import Any
 import numpy as np
 
 from .closed_collisions import Collision, follow_power, follow_sine
-from .quadrature import gauss_within
+from .law_functions import constants_of
+from .path_collision import STAGES, STRETCHES, follow_path, instants, stretches
+from .waves.laws import law_function
 
-CELLS_PER_STRETCH = 200  # of each stretch of the path on which the law has one formula
-# Last over first indentation of such a stretch: over more, a power is no polynomial in each cell.
-WIDEST_STRETCH = 100.0
-QUADRATURE_STAGES = 6  # of the quadrature in each cell
 SUBSTEPS = 6  # kept of each step of a differential equation
 
 
@@ -44,35 +42,13 @@ def sine_collision(stiffness: float, mass: float, speed: float, samples: int) ->
 
 
 def path_collision(law: Any, mass: float, speed: float) -> Collision:
-    """Any law without damping, with or without memory, by work integrals along loading and unloading.
-
-    The deepest indentation is where the work of loading has used up the energy; unloading gives back what is stored.
-    Error: rounding, as every stretch with one formula is integrated by itself in a variable in which it is smooth.
-    """
-    energy = 0.5 * mass * speed**2
-    deepest, stretches = _loading(law, energy)
-    down = _fallen(lambda a: law.force(a, 0.0, deepest), law.dent(deepest), deepest, True, True, 0.0, mass)
-    up: Any = None
-    for number, (low, high) in enumerate(reversed(stretches)):
-        done = 0.0 if up is None else up[2][-1]
-        bottom = number == len(stretches) - 1
-        part = _fallen(lambda a: law.force(a, 0.0, 0.0), low, high, number == 0, bottom, done, mass)
-        up = part if up is None else tuple(
-            np.concatenate((first, (first[-1] if name == 0 else 0.0) + second[1:]))
-            for name, (first, second) in enumerate(zip(up, part, strict=True))
-        )  # fmt: skip
-    rise, a_up, given_up = up
-    fall, a_down, given_down = down
-    time = np.concatenate((rise[-1] - rise[::-1], rise[-1] + fall[1:]))
-    indentation = np.concatenate((a_up[::-1], a_down[1:]))
-    rate = np.sqrt(2.0 / mass * np.concatenate((given_up[::-1], given_down[1:])))
-    rate[a_up.size :] *= -1.0
-    loading = np.arange(time.size) < a_up.size
-    force = [law.force(a, 0.0, 0.0 if rising else deepest) for a, rising in zip(indentation, loading, strict=True)]
-    stored = [law.stored(a, a if rising else deepest) for a, rising in zip(indentation, loading, strict=True)]
-    stored = np.array(stored)
-    lost = np.where(loading, energy - 0.5 * mass * rate**2 - stored, energy - stored[a_up.size - 1])
-    return Collision(time, indentation, rate, np.array(force), mass * (speed - rate), stored, np.maximum(lost, 0.0))
+    """Any law without damping, with or without memory, by `path_collision.follow_path`."""
+    ask, constants, slopes = law_function(type(law)), constants_of([law])[0], np.empty(2)
+    cell, edges = np.empty((2, STAGES)), np.empty(STRETCHES + 1)
+    count = stretches(ask, constants, slopes, 0.5 * mass * speed**2, cell, edges)
+    found = Collision.of(instants(count))
+    follow_path(ask, constants, slopes, mass, speed, cell, edges[: count + 1], found)
+    return found
 
 
 def damped_collision(law: Any, mass: float, speed: float, unit: float) -> Collision:
@@ -107,55 +83,3 @@ def damped_collision(law: Any, mass: float, speed: float, unit: float) -> Collis
         values[: last + 1]
         for values in (time * unit, a, rate, force, mass * (speed - rate), stored, np.maximum(work - stored, 0.0))
     ))  # fmt: skip
-
-
-def _loading(law: Any, energy: float) -> tuple[float, list[tuple[float, float]]]:
-    """The deepest indentation, and the stretches of the loading curve up to there, one formula on each."""
-    from scipy.optimize import brentq
-
-    def work(low, high):
-        return (high - low) * law.mean(low, high, 0.0, 0.0)[0]
-
-    low, done, stretches = 0.0, 0.0, []
-    while True:
-        high = min(law.corner(low, 0.0), WIDEST_STRETCH * low if low > 0.0 else math.inf)
-        if not math.isfinite(high):
-            high = 1e-9
-            while done + work(low, high) < energy:
-                high *= 2.0
-        more = work(low, high)
-        if done + more >= energy:
-            deepest = brentq(
-                lambda a, low=low, done=done: done + work(low, a) - energy, low, high, xtol=1e-18, rtol=1e-14
-            )
-            return deepest, [*stretches, (low, deepest)]
-        stretches.append((low, high))
-        low, done = high, done + more
-
-
-def _fallen(force, low: float, high: float, top: bool, bottom: bool, given: float, mass: float):
-    """Back down a stretch of the curve from `high`: time since there, indentation, work given back since the very top.
-
-    At the top the rate starts as a square root, at the bottom the force ends as a power: the variable u runs over both
-    smoothly. `given` [J] has been given back above the stretch.
-    """
-    u = (np.arange(CELLS_PER_STRETCH)[:, None] + _NODES) / CELLS_PER_STRETCH
-    whole = np.arange(CELLS_PER_STRETCH + 1) / CELLS_PER_STRETCH
-
-    def place(u):
-        share = 1.0 - u**2 if top else 1.0 - u
-        return low + (high - low) * (share**3 if bottom else share)
-
-    def slope(u):
-        share, change = (1.0 - u**2, 2.0 * u) if top else (1.0 - u, np.ones_like(u))
-        return (high - low) * (3.0 * share**2 * change if bottom else change)
-
-    pull = np.array([[force(a) for a in row] for row in place(u)]) * slope(u) / CELLS_PER_STRETCH  # work per cell
-    inside = pull @ _INTEGRATE.T
-    above = given + np.concatenate(([0.0], np.cumsum(pull @ _WEIGHTS)))
-    work = above[:-1, None] + inside
-    time = (slope(u) / CELLS_PER_STRETCH / np.sqrt(2.0 / mass * work)) @ _WEIGHTS
-    return np.concatenate(([0.0], np.cumsum(time))), place(whole), above
-
-
-_NODES, _WEIGHTS, _INTEGRATE = gauss_within(QUADRATURE_STAGES)

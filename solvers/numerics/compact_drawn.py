@@ -1,4 +1,4 @@
-"""Two compact bodies as a picture needs them, in one call: marched through their law, and by the closed form beside.
+"""Two compact bodies as a picture needs them, in one call: marched through their law, and by its closed form or path.
 
 As in `waves.drawn`, so that it can be compiled ahead of time for where there is no Python. Times are written in the
 time unit of the impact, velocities in its speed, displacements and forces in what follows with the reduced mass.
@@ -12,23 +12,26 @@ from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts, modal_drawn
 from .balance_histories import between
-from .closed_collisions import follow_power, follow_sine
+from .closed_collisions import Collision, follow_power, follow_sine
 from .modal_steps import usual_step
 from .oscillators import residual_spring, set_bank
+from .path_collision import follow_path, instants, stretches
 from .waves.drawn import BEYOND, NO_ROOM, SOLVED, instant
+from .waves.laws import DENT
 
 # what `answer` writes into `out`: TRIP, the time unit, in the unit of its arguments; then of the march, and behind
 # BESIDE of the closed form
 TRIP, DURATION, STEPS, IMPULSE, FINAL, TARGET, APART, COMPRESSING = range(8)
-LOCAL, DISSIPATED, DEEPEST, CONTACTS, TOUCHES, HIGHEST = range(8, 14)
-BESIDE = 14  # IMPULSE and so on of that
-PUSHED, LEFT, GONE, PARTED, HELD, DEPTH, END, PEAK = range(BESIDE, BESIDE + 8)
-COLUMNS = BESIDE + 8
+LOCAL, DISSIPATED, DEEPEST, DENT_LEFT, CONTACTS, TOUCHES, HIGHEST = range(8, 15)
+BESIDE = 15  # IMPULSE and so on of that, and how many instants it has
+PUSHED, LEFT, GONE, PARTED, HELD, LOST, DEPTH, DENTED, END, PEAK, POINTS = range(BESIDE, BESIDE + 11)
+COLUMNS = BESIDE + 11
+POWER, SINE, PATH = range(3)  # what stands beside: a power of the indentation, the half sine, work integrals
 WEAK = 1e-30  # amplitude of the one oscillator that a march cannot do without
 
 
 class Drawn(NamedTuple):
-    """What is drawn of the march, and of the closed form at its own instants and one at the very end."""
+    """What is drawn of the march, and of what stands beside at its own instants and one at the very end."""
 
     impactor: np.ndarray  # (instants,), displacement at even times; and of the struck face
     face: np.ndarray
@@ -36,9 +39,25 @@ class Drawn(NamedTuple):
     force: np.ndarray
     other_impactor: np.ndarray  # (instants,)
     other_face: np.ndarray
-    other_time: np.ndarray  # (course + 2,)
+    other_time: np.ndarray  # (course + 1,)
     other_force: np.ndarray
-    apart: np.ndarray  # (course + 2,), how far both have come together
+    apart: np.ndarray  # (course + 1,), how far both have come together
+
+
+class Sort(NamedTuple):
+    """What stands beside."""
+
+    kind: int  # POWER and so on
+    exponent: float
+    stiffness: float
+    even: int  # instants of a closed form
+
+
+class Path(NamedTuple):
+    """Room for work integrals."""
+
+    cell: np.ndarray  # (2, path_collision.STAGES)
+    edges: np.ndarray  # (path_collision.STRETCHES + 1,)
 
 
 @inner_kernel
@@ -51,6 +70,7 @@ def _figures(masses, contacts, trip, beside, out):
     )  # fmt: skip
     out[LOCAL], out[DISSIPATED] = beside[modal_drawn.LOCAL] / reduced, beside[modal_drawn.DISSIPATED] / reduced
     out[DEEPEST], out[CONTACTS] = beside[modal_drawn.DEEPEST] / trip, count
+    out[DENT_LEFT] = beside[modal_drawn.DENT_LEFT] / trip
     out[TOUCHES], out[HIGHEST] = beside[modal_drawn.TOUCHES], beside[modal_drawn.HIGHEST] * trip / reduced
     for k in range(count):
         contacts[k, modal_contacts.START] /= trip
@@ -74,14 +94,36 @@ def _histories(record, step, trip, reduced, drawn):
 
 
 @inner_kernel
-def _beside(masses, sort, trip, duration, course, drawn, out):
-    """The closed form and free flight after it, about the common centre of mass; see `Drawn`."""
-    reduced, (exponent, stiffness, sine) = 1.0 / (1.0 / masses[0] + 1.0 / masses[1]), sort
-    if sine:
-        follow_sine(stiffness, reduced, 1.0, course)
+def _cut(course, size):
+    """The first instants alone."""
+    return Collision(
+        course.time[:size], course.indentation[:size], course.rate[:size], course.force[:size], course.impulse[:size],
+        course.stored[:size], course.lost[:size],
+    )  # fmt: skip
+
+
+@inner_kernel
+def _followed(law, reduced, sort, path, course):
+    """Follow the contact by itself; law: `asked`, constants and room for slopes. At how many instants; -1: no room."""
+    if sort.kind == PATH:
+        asked, constants, slopes = law
+        count = stretches(asked, constants, slopes, 0.5 * reduced, path.cell, path.edges)
+        if count < 1 or instants(count) > course.time.size:
+            return -1
+        found = _cut(course, instants(count))
+        follow_path(asked, constants, slopes, reduced, 1.0, path.cell, path.edges[: count + 1], found)
+        return instants(count)
+    if sort.kind == SINE:
+        follow_sine(sort.stiffness, reduced, 1.0, _cut(course, sort.even))
     else:
-        follow_power(stiffness, exponent, reduced, 1.0, course)
-    last = course.time.size - 1
+        follow_power(sort.stiffness, sort.exponent, reduced, 1.0, _cut(course, sort.even))
+    return sort.even
+
+
+@inner_kernel
+def _beside(masses, trip, duration, course, drawn, out):
+    """What stands beside, and free flight after it, about the common centre of mass; see `Drawn`."""
+    reduced, last = 1.0 / (1.0 / masses[0] + 1.0 / masses[1]), course.time.size - 1
     parting, leaving = course.time[last], course.rate[last]
     end = max(duration, parting * (1.0 + 1e-9))
     out[PEAK] = out[DEPTH] = 0.0
@@ -101,20 +143,22 @@ def _beside(masses, sort, trip, duration, course, drawn, out):
         drawn.other_face[k] = share * t - share * gone
     pushed = course.impulse[last]
     out[PUSHED], out[LEFT], out[GONE] = pushed / reduced, 1.0 - pushed / masses[0], pushed / masses[1]
-    out[PARTED], out[END], out[HELD] = out[GONE] - out[LEFT], parting / trip, course.stored[last] / reduced
+    out[PARTED], out[END], out[POINTS] = out[GONE] - out[LEFT], parting / trip, last + 2
+    out[HELD], out[LOST] = course.stored[last] / reduced, course.lost[last] / reduced
 
 
 @kernel
 def answer(
-    law, asked, constants, sort, masses, trip, sudden, limits, modes, room, contacts, cycle, course, drawn, figures, out
+    law, asked, constants, sort, masses, trip, sudden, limits, modes, room, contacts, cycle, path, course, drawn,
+    figures, out,
 ):  # fmt: skip
-    """March an impact at a speed of one of a mass on one at rest, follow it in closed form, and write what is drawn.
+    """March an impact at a speed of one of a mass on one at rest, follow it by itself, and write what is drawn.
 
-    law: with `mean` and `unloading`, a power of the indentation; asked: `waves.laws.law_function`; sort: its exponent,
-    its stiffness, and whether the closed form is the half sine; masses: of both, or infinity; trip: the time unit;
-    sudden, limits: as in `modal_drawn.answer_of_beam`; room: `modal_drawn.March` of one oscillator, which stays still;
-    cycle: `modal_drawn.Bent`, of which the depths are written; course: `Collision`; figures: `modal_drawn.COLUMNS`; out
-    (COLUMNS,). Returns SOLVED or NO_ROOM.
+    law: with `mean` and `unloading`, without damping; asked: `waves.laws.law_function`; sort, path: `Sort` and `Path`;
+    masses: of both, or infinity; trip: the time unit; sudden, limits: as in `modal_drawn.answer_of_beam`; room:
+    `modal_drawn.March` of one oscillator, which stays still; cycle: `modal_drawn.Bent`, of which the depths are
+    written; course: `Collision`, room for it; figures: `modal_drawn.COLUMNS`; out (COLUMNS,). Returns SOLVED or
+    NO_ROOM.
     """
     kept, reduced, stride = refer(room), 1.0 / (1.0 / masses[0] + 1.0 / masses[1]), room.record.contact_force.size
     frequencies, at_contact, damping = modes
@@ -135,9 +179,14 @@ def answer(
     if status != SOLVED or not parted:
         return NO_ROOM
     until = min(step * steps, BEYOND * contacts[int(figures[modal_drawn.CONTACTS]) - 1, modal_contacts.END])
-    modal_drawn.cycle_of(record, step, asked, constants, kept.slopes, until, figures[modal_drawn.DEEPEST], cycle)
+    deepest = figures[modal_drawn.DEEPEST]
+    modal_drawn.cycle_of(record, step, law, asked, constants, kept.slopes, until, deepest, cycle)
     out[TRIP], out[DURATION], out[STEPS] = trip, step * steps / trip, steps
     _histories(record, step, trip, reduced, drawn)
     _figures(masses, contacts, trip, figures, out)
-    _beside(masses, sort, trip, step * steps, course, drawn, out)
+    size = _followed((asked, constants, kept.slopes), reduced, sort, path, course)
+    if size < 1:
+        return NO_ROOM
+    _beside(masses, trip, step * steps, _cut(course, size), drawn, out)
+    out[DENTED] = asked(DENT, constants, 0.0, 0.0, out[DEPTH] * trip, kept.slopes) / trip
     return SOLVED

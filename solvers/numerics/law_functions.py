@@ -71,29 +71,43 @@ def ask_function(kind: type) -> Callable:
     return address(ask, ASK_SIGNATURE)
 
 
+def one_of(kernels: Sequence[Callable]) -> Callable:
+    """Several kernels that take and return alike as one: by the number of one among them, which comes first."""
+
+    def choice(number: int) -> Callable:
+        own = kernels[number]
+        others = choice(number + 1) if number + 1 < len(kernels) else None
+
+        @inner_kernel
+        def chosen(which, *given):
+            if others is None or which == number:
+                return own(*given)
+            return others(which, *given)
+
+        return chosen
+
+    return choice(0)
+
+
 def any_stepped(kinds: Sequence[type]) -> type:
     """Several sorts of contact laws as one, for a march: the number of one among `kinds`, and its constants."""
 
-    def choice(number: int) -> Callable:
-        kind = kinds[number]
+    def of(kind: type) -> Callable:
         count = len(kind._fields)
-        others = choice(number + 1) if number + 1 < len(kinds) else None
 
         @inner_kernel
-        def step(question, which, c, start, free, compliance, rate, expected, deepest, memory):
-            if others is None or which == number:
-                law = kind(*c[:count])
-                if question == UNLOADING:
-                    return 0.0, 0.0, 0.0, law.unloading(deepest)
-                if question == MEAN:
-                    mean, lost = law.mean(start, free, rate, deepest)
-                    return mean, 0.0, lost, memory
-                return law.mean_force(start, free, compliance, rate, expected, deepest, memory)
-            return others(question, which, c, start, free, compliance, rate, expected, deepest, memory)
+        def step(question, c, start, free, compliance, rate, expected, deepest, memory):
+            law = kind(*c[:count])
+            if question == UNLOADING:
+                return 0.0, 0.0, 0.0, law.unloading(deepest)
+            if question == MEAN:
+                mean, lost = law.mean(start, free, rate, deepest)
+                return mean, 0.0, lost, memory
+            return law.mean_force(start, free, compliance, rate, expected, deepest, memory)
 
         return step
 
-    chosen = choice(0)
+    chosen = one_of([of(kind) for kind in kinds])
 
     class AnyStepped(NamedTuple):
         number: int
@@ -105,14 +119,14 @@ def any_stepped(kinds: Sequence[type]) -> type:
         c5: float
 
         def unloading(self, deepest):
-            return chosen(UNLOADING, self.number, self[1:], 0.0, 0.0, 0.0, 0.0, 0.0, deepest, (0.0, 0.0))[3]
+            return chosen(self.number, UNLOADING, self[1:], 0.0, 0.0, 0.0, 0.0, 0.0, deepest, (0.0, 0.0))[3]
 
         def mean(self, start, end, rate, deepest):
-            found = chosen(MEAN, self.number, self[1:], start, end, 0.0, rate, 0.0, deepest, (0.0, 0.0))
+            found = chosen(self.number, MEAN, self[1:], start, end, 0.0, rate, 0.0, deepest, (0.0, 0.0))
             return found[0], found[2]
 
         def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
-            return chosen(STEP, self.number, self[1:], start, free, compliance, rate, expected, deepest, memory)
+            return chosen(self.number, STEP, self[1:], start, free, compliance, rate, expected, deepest, memory)
 
     return AnyStepped
 

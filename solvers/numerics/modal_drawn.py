@@ -53,6 +53,7 @@ class Bent(NamedTuple):
     force: np.ndarray  # (groups,), the mean over so many steps that there is room for all
     depths: np.ndarray  # (cycle,), indentation of the impact at even times, and the force
     presses: np.ndarray
+    widths: np.ndarray  # (cycle,), square of the radius of contact over that of the faces, of a law whose crater widens
     loading: np.ndarray  # (depths,), force by the law at even depths, and on the way back
     unloading: np.ndarray
 
@@ -235,14 +236,17 @@ def _histories(record, step, contacts, count, drawn):
 
 
 @inner_kernel
-def cycle_of(record, step, asked, constants, slopes, until, deepest, drawn):
+def cycle_of(record, step, law, asked, constants, slopes, until, deepest, drawn):
     """The law slowly to the greatest indentation and back, at even depths, and what the impact did, at even times."""
-    last = record.contact_force.size - 1
+    last, top = record.contact_force.size - 1, 0.0
     for k in range(drawn.depths.size):  # a force is constant over each step: given in the middle
         cell = min(int(instant(k, drawn.depths.size, until) / step), last)
         drawn.depths[k] = 0.5 * (record.indentation[cell] + record.indentation[cell + 1])
         pressed = drawn.depths[k] > asked(DENT, constants, 0.0, 0.0, 0.0, slopes)
         drawn.presses[k] = record.contact_force[cell] if pressed else 0.0
+        top = max(top, drawn.depths[k])
+        dent, stiffness = law.unloading(top)
+        drawn.widths[k] = (stiffness / constants[0]) ** 2 * max(drawn.depths[k] - dent, 0.0)
     for k in range(drawn.loading.size):
         depth = instant(k, drawn.loading.size, deepest)
         drawn.loading[k] = asked(FORCE, constants, depth, 0.0, 0.0, slopes)
@@ -293,7 +297,7 @@ def answer_of_beam(
     _together(record, rigid)
     out[STEP] = step * _histories(record, step, contacts, count, drawn)
     until = min(step * most, BEYOND * contacts[count - 1, modal_contacts.END])
-    cycle_of(record, step, asked, constants, slopes, until, out[DEEPEST], drawn)
+    cycle_of(record, step, law, asked, constants, slopes, until, out[DEEPEST], drawn)
     out[DURATION] = step * most
     out[HALF] = half_period(frequencies, at_contact, compliance, 1.0 / mass + 1.0 / rigid_mass)
     return SOLVED

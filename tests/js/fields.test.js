@@ -215,3 +215,10 @@ test('a frame fixed to the struck end has the frequencies, shapes and stresses o
   [1, 0.59082234, -0.99749652, 1, -0.28952096, 1.01147898].forEach((value, k) => near(cosines[k], value, 1e-8));
   [0.126974283, 0.832600557, 0, 0.254409538, 1.00790516, 0].forEach((value, k) => near(sines[k], value, 1e-8));
 });
+
+test('one mode of a frame is as fast as its shape and its inertia about the mean make it', () => {
+  const { felt, omega } = attachedModes(1);
+  const inertia = 0.5 - (2 / Math.PI) ** 2;
+  assert.ok(Math.abs(omega[0] / (Math.PI * Math.sqrt(0.5 / inertia)) - 1) < 1e-12);
+  assert.ok(Math.abs((felt[0] * inertia) / (2 / Math.PI) ** 2 - 1) < 1e-12);
+});

@@ -39,6 +39,7 @@ function solved(count) {
   };
   const omega = wavenumber.map((k, i) => {
     let [low, high] = [2 * k, 2 * (wavenumber[i + 1] ?? 2 * k)];
+    while (i === count - 1 && balance(high * high) < 0) high *= 2;
     for (let n = 0; n < HALVINGS; n++) {
       const middle = 0.5 * (low + high);
       if (balance(middle * middle) < 0) low = middle;

@@ -1,4 +1,5 @@
 // What the page draws of a mass across what bends, by the browser's own answer: a message like that of the server.
+import { commonOf } from './figures.js';
 import { cycleOf, felt, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
 
 /** @import { BeamFigures, BeamFrame, Chosen, Contact, MarchRecord } from '../messages.js' */
@@ -50,7 +51,7 @@ export function beamWith(kernels, from, chosen) {
   const { contacts, cycle, duration, step, steps } = found;
   const grown = (/** @type {Float64Array} */ values) => values.map((value) => value * speed);
   const { damps, exponent, name, yields } = law;
-  const { acting, ...kept } = withLaw(from, law);
+  const { acting, ...kept } = withLaw(from, law, chosen);
   const made = {
     ...kept,
     ...Object.fromEntries(BESIDE.filter((each) => each in from).map((each) => [each, undefined])),
@@ -69,7 +70,7 @@ export function beamWith(kernels, from, chosen) {
     ...{ rates: grown(found.rates), modalForce: grown(found.force) },
   };
   if (!rigid) Object.assign(made, cycleOf({ ...made, forceUnit: speed, trip: 1 }, found, cycle));
-  const main = figuresOf(made, from.main, found, march);
+  const main = bentFigures(made, from.main, found, march);
   const unchanged = Object.keys(chosen).every((each) => Object.is(chosen[each], from.chosen[each]));
   if (unchanged) main.notes = from.main.notes;
   main.diagnostics.wall_time = (performance.now() - begun) / 1e3;
@@ -92,8 +93,8 @@ function spanOf({ contacts }, half) {
  * @param {MarchRecord} march
  * @returns {BeamFigures}
  */
-function figuresOf({ beam, impactor, law, rigidMass, speed }, before, found, march) {
-  const { apart, compressing, contacts, deepest, dent, dissipated, duration, energy, final, impulse, local } = found;
+function bentFigures({ beam, impactor, law, rigidMass, speed }, before, found, march) {
+  const { contacts, dissipated, energy, final, impulse, local } = found;
   const target = beam.held ? 0 : found.target;
   const unit = speed ** 2;
   const whole = 0.5 * (rigidMass ?? 0) * (found.target / march.mean) ** 2;
@@ -102,27 +103,15 @@ function figuresOf({ beam, impactor, law, rigidMass, speed }, before, found, mar
     ...{ target_rigid: unit * whole, target_vibration: unit * (energy - whole) },
     ...{ local: unit * local, dissipated: unit * dissipated },
   };
-  const { initial, ...parts } = energies;
-  const off = Object.values(parts).reduce((sum, part) => sum + part, -initial) / initial;
-  const { end } = contacts[contacts.length - 1];
-  const together = end >= duration * (1 - 1e-12);
+  const known = { ...found, target, ...(law.rigid ? { apart: null, cycle: null } : { cycle: found }) };
+  const figures = commonOf(before, known, energies, speed, speed);
   return {
-    ...before,
-    stillTouching: end >= duration * (1 - 1e-9),
-    peakForce: speed * Math.max(...contacts.map(({ peak }) => peak)),
-    peakIndentation: law.rigid ? null : speed * deepest,
-    residualIndentation: law.rigid ? null : speed * dent,
-    restitution: {
-      newton: together ? null : target - final,
-      poisson: together || march.turns || !(compressing > 0) ? null : impulse / compressing - 1,
-      newton_at_contact: together || law.rigid ? null : apart,
-    },
-    energy: energies,
+    ...figures,
+    restitution: { ...figures.restitution, ...(march.turns ? { poisson: null } : {}) },
     diagnostics: {
-      ...{ ...before.diagnostics, energy_error: off, momentum_error: 1 - final - impulse / impactor.mass },
+      ...{ ...figures.diagnostics, momentum_error: 1 - final - impulse / impactor.mass },
       ...{ steps: found.steps, raw_contacts: found.touches, raw_peak_force: speed * found.highest },
     },
-    notes: [],
     contacts: contacts.length,
     ...{ final: speed * final, targetFinal: speed * target, impulse: speed * impulse },
   };

@@ -57,7 +57,7 @@ export function chainWith(kernels, from, chosen) {
     return /** @type {[string, Float64Array][]} */ ([[`${name}Time`, time], [name, wave]]); // prettier-ignore
   });
   const made = {
-    ...withLaw(from, from.laws[0]),
+    ...withLaw(from, from.laws[0], chosen),
     ...scales,
     ...Object.fromEntries(sent),
     ...{ chain, chosen, duration, gaps: /** @type {Gap[]} */ (found.gaps) },

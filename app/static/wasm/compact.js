@@ -45,7 +45,7 @@ export function compactWith(kernels, from, chosen) {
   const { cycle, duration, exact, other, trip } = found;
   const forceUnit = (felt(mass, target) / trip) * speed;
   const made = {
-    ...withLaw(from, law),
+    ...withLaw(from, law, chosen),
     ...{ damps: law.damps, exponent: law.exponent, nominal: law.nominal, yields: law.yields, rigid: false },
     ...{ chosen, duration, forceUnit, speed, stressUnit: forceUnit, trip },
     impactor: { ...from.impactor, mass },
@@ -72,7 +72,7 @@ export function compactWith(kernels, from, chosen) {
     ...{ raw_contacts: exact.touches, raw_peak_force: exact.highest * forceUnit, steps: exact.steps },
     wall_time: (performance.now() - begun) / 1e3,
   });
-  figures.other.diagnostics.delivered_restitution = other.apart;
+  Object.assign(figures.other.diagnostics, { delivered_restitution: other.apart, steps: other.steps });
   const same = Object.keys(chosen).every((name) => Object.is(chosen[name], from.chosen[name]));
   if (same) for (const name of /** @type {const} */ (['exact', 'other'])) figures[name].notes = from[name]?.notes ?? [];
   return { ...made, ...figures, match: figures.exact.restitution.newton };

@@ -1,6 +1,6 @@
 // Figures of the browser's own answers, as the server gives them.
 
-/** @import { AxialFigures, AxialFrame } from '../messages.js' */
+/** @import { AxialFigures, AxialFrame, BeamFigures } from '../messages.js' */
 /** @import { Contact, Impact } from './kernels.js' */
 
 /**
@@ -8,6 +8,8 @@
  * @typedef {Pick<Impact, Same> & { contacts: Contact[], local: number, cycle: Dent | null } & Partial<Parts>} Found
  * @typedef {{ first: number, striker: number, wholes: number }} Parts  energies of rods that strike, or of several
  * @typedef {{ deepest: number, dent: number }} Dent  [v T]
+ * @typedef {Pick<Impact, 'compressing' | 'duration' | 'final' | 'impulse' | 'target'> &
+ *   { apart: number | null, contacts: { end: number, peak: number }[], cycle: Dent | null }} Common
  */
 
 const CUT = { before: 0.02, share: 0.1 }; // of T, and of the peak: what a force still is that a wave cuts off
@@ -20,9 +22,8 @@ const CUT = { before: 0.02, share: 0.1 }; // of T, and of the peak: what a force
  * @returns {AxialFigures}
  */
 export function figuresOf(frame, before, found, force) {
-  const { apart, compressing, contacts, cycle, dissipated, duration, energy, final, impulse, local } = found;
+  const { contacts, dissipated, energy, final, local } = found;
   const { forceUnit, impactor, speed, target, trip } = frame;
-  const last = contacts[contacts.length - 1];
   const targetFinal = target.held ? 0 : found.target;
   const moving = (/** @type {number} */ mass, /** @type {number} */ v) => 0.5 * mass * (speed * v) ** 2;
   const unit = forceUnit * speed * trip;
@@ -34,22 +35,39 @@ export function figuresOf(frame, before, found, force) {
     ...{ impactor: of(found.striker, () => moving(impactor.mass, final)), target_rigid: whole },
     ...{ target_vibration: unit * energy - whole, local: unit * local, dissipated: unit * dissipated },
   };
-  const { initial, ...parts } = energies;
-  const off = Object.values(parts).reduce((sum, part) => sum + part, -initial) / initial;
-  const together = last.end >= duration * (1 - 1e-12); // nothing is restored yet
   return {
-    ...before,
+    ...commonOf(before, { ...found, target: targetFinal }, energies, forceUnit, speed * trip),
     contacts: contacts.map(({ start, end, peak, push }) => [start, end, forceUnit * trip * push, forceUnit * peak]),
     cutOff: contacts.map((contact) => cutOff(contact, force)),
     left: contacts.map(({ after }) => after),
-    final,
-    targetFinal,
-    stillTouching: last.end >= duration * (1 - 1e-9),
-    peakIndentation: cycle && speed * trip * cycle.deepest,
-    residualIndentation: cycle && speed * trip * cycle.dent,
-    peakForce: forceUnit * Math.max(...contacts.map(({ peak }) => peak)),
+    ...{ final, targetFinal },
+  };
+}
+
+/**
+ * Those of an impact along an axis and across alike.
+ * @template {AxialFigures | BeamFigures} F
+ * @param {F} before  of another impact by the same method
+ * @param {Common} found
+ * @param {AxialFigures['energy']} energies  [J]
+ * @param {number} force  unit of forces [N]
+ * @param {number} length  and of indentations [m]
+ * @returns {F}
+ */
+export function commonOf(before, found, energies, force, length) {
+  const { apart, compressing, contacts, cycle, duration, final, impulse, target } = found;
+  const { initial, ...parts } = energies;
+  const off = Object.values(parts).reduce((sum, part) => sum + part, -initial) / initial;
+  const { end } = contacts[contacts.length - 1];
+  const together = end >= duration * (1 - 1e-12); // nothing is restored yet
+  return {
+    ...before,
+    stillTouching: end >= duration * (1 - 1e-9),
+    peakForce: force * Math.max(...contacts.map(({ peak }) => peak)),
+    peakIndentation: cycle && length * cycle.deepest,
+    residualIndentation: cycle && length * cycle.dent,
     restitution: {
-      newton: together ? null : targetFinal - final,
+      newton: together ? null : target - final,
       poisson: !together && compressing > 0 ? impulse / compressing - 1 : null,
       newton_at_contact: together ? null : apart,
     },

@@ -4,6 +4,8 @@ import { DASHPOTS, LAWS, OUT, ROOM } from './room.js';
 const [PAGE, NUMBER, ALIGNED] = [65536, 8, 64]; // bytes
 // numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py, and modal_drawn.py
 const CONTACT = { rod: 7, law: 5, modes: 5 };
+const MODES = { own: 0, stiff: 1, given: 2 }; // as in app/wasm/modal_entries.py
+const BESIDE = { power: 0, sine: 1, path: 2 }; // of two compact bodies: as in solvers/numerics/compact_drawn.py
 
 // of a beam: as in solvers/numerics/modal_drawn.py
 const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactorRate', 'struckRate']);
@@ -26,6 +28,7 @@ const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactor
  * @property {number} dent
  * @property {Float64Array} depths  of the impact, and its forces
  * @property {Float64Array} presses
+ * @property {Float64Array} [widths]  square of the radius of contact over that of the faces, as a crater widens
  * @property {Float64Array} loading  force by the law, slowly to the greatest indentation, and back
  * @property {Float64Array} unloading
  */
@@ -200,15 +203,16 @@ export class Kernels {
    * @param {number} beta
    * @param {1 | -1} reflection
    * @param {Pick<LawRecord, 'name' | 'constants'>} law  with its constants in units T, v and Z v
+   * @param {number} asked  for how long [T]; 0: until they have parted for good
    * @returns {Impact | null}
    */
-  law(beta, reflection, { name, constants }) {
+  law(beta, reflection, { name, constants }, asked = 0) {
     const places = ROOM.law.constants / 2;
     if (!this.roomFor('law')) return null;
     const given = this.array('law', 'constants', ROOM.law.constants).fill(0);
     for (const end of [0, 1]) given.set([...constants], end * places);
     for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
-    const run = this.#run('law', beta, reflection);
+    const run = this.#run('law', beta, reflection, asked);
     if (!run) return null;
     const { common, figures, read, rows } = run;
     const { apart, deepest, dent, dissipated, final } = figures;
@@ -225,12 +229,15 @@ export class Kernels {
    * @param {number} count  of modes
    * @param {number} touching  [T], until the last parting by waves
    * @param {number} duration  [T]
+   * @param {keyof typeof MODES} kind  its own, of which those left out give way or not, or given ones
+   * @param {{ frequencies: Float64Array, atContact: Float64Array }} [of]  given ones
    * @returns {ModalImpact | null}
    */
-  modes(beta, reflection, law, count, touching, duration) {
+  modes(beta, reflection, law, count, touching, duration, kind, of) {
     if (!this.roomFor('modes')) return null;
     this.#give('modes', law);
-    const called = this.call('modes', beta, reflection, count, touching, duration);
+    if (of) this.array('modes', 'shapes', 2 * count).set([...of.frequencies, ...of.atContact]);
+    const called = this.call('modes', beta, reflection, count, touching, duration, MODES[kind]);
     if (!called) return null;
     const { figures, read } = called;
     const force = read('histories', figures.steps);
@@ -257,7 +264,7 @@ export class Kernels {
     };
   }
   /**
-   * A mass on another at rest, or on one that is held, marched through a law and by the closed form of it.
+   * A mass on another at rest, or on one that is held, marched through a law, and by its closed form or its path.
    * @param {number} mass
    * @param {number} whole  of the other, or infinity
    * @param {LawRecord} law  in s, kg and the speed
@@ -266,30 +273,33 @@ export class Kernels {
   compact(mass, whole, law, sine) {
     if (!this.roomFor('compact')) return null;
     this.#give('compact', law);
-    const called = this.call('compact', mass, whole, law.exponent, Number(sine));
+    const kind = law.yields ? BESIDE.path : sine ? BESIDE.sine : BESIDE.power;
+    const called = this.call('compact', mass, whole, law.exponent, kind);
     if (!called) return null;
     const { figures, read } = called;
-    const { contacts, deepest, depth, end, gone, left, parted, peak, pushed, steps, trip } = figures;
-    const [depths, presses] = halvesOf(read, 'cycle', ROOM.compact.cycle);
-    const [loading, unloading] = halvesOf(read, 'lawCycle', ROOM.compact.lawCycle);
-    const { apart, compressing, dissipated, final, highest, impulse, local, target, touches } = figures;
+    const { compressing, contacts, deepest, dent, dented, depth, end, gone, left, lost } = figures;
+    const [depths, presses, widths] = partsOf(read, 'cycle', 3);
+    const [loading, unloading] = partsOf(read, 'lawCycle', 2);
+    const { apart, dissipated, final, highest, impulse, local, steps, target, touches, trip } = figures;
+    const { parted, peak, points, pushed } = figures;
     const rows = rowsOf(CONTACT.modes, contacts, read).map(([start, until, push, most, after]) => {
       return { start, end: until, push, after, peak: most };
     });
     return {
       exact: {
         ...{ apart, compressing, dissipated, final, highest, impulse, local, steps, target, touches },
-        ...{ contacts: rows, cycle: { deepest, dent: 0 } },
+        ...{ contacts: rows, cycle: { deepest, dent } },
       },
       other: {
-        ...{ apart: parted, compressing, dissipated: 0, final: left, impulse: pushed, local: 0 },
-        ...{ contacts: [{ start: 0, end, push: pushed, after: left, peak }], cycle: { deepest: depth, dent: 0 } },
-        target: gone,
+        ...{ apart: parted, compressing, dissipated: lost, final: left, impulse: pushed, local: 0 },
+        ...{ contacts: [{ start: 0, end, push: pushed, after: left, peak }], cycle: { deepest: depth, dent: dented } },
+        ...{ steps: points - 1, target: gone },
       },
       ...{ impactor: read('impactor'), face: read('face'), otherImpactor: read('otherImpactor') },
-      ...{ otherFace: read('otherFace'), otherTime: read('otherTime'), otherForce: read('otherForce') },
+      ...{ otherFace: read('otherFace'), otherTime: read('otherTime', points) },
+      ...{ otherForce: read('otherForce', points) },
       ...{ forceTime: read('forceTime', 2 * steps), force: read('force', 2 * steps) },
-      cycle: { deepest: deepest * trip, dent: 0, depths, presses, loading, unloading },
+      cycle: { deepest: deepest * trip, dent: dent * trip, depths, presses, widths, loading, unloading },
       ...{ duration: figures.duration, trip },
     };
   }
@@ -314,14 +324,14 @@ export class Kernels {
     const histories = /** @type {Record<typeof HISTORIES[number], Float64Array>} */ (
       Object.fromEntries(HISTORIES.map((name, k) => [name, drawn.subarray(k * size, (k + 1) * size)]))
     );
-    const [depths, presses] = halvesOf(read, 'cycle', ROOM.beam.cycle);
-    const [loading, unloading] = halvesOf(read, 'lawCycle', ROOM.beam.lawCycle);
+    const [depths, presses, widths] = partsOf(read, 'cycle', 3);
+    const [loading, unloading] = partsOf(read, 'lawCycle', 2);
     return {
       ...{ ...marched(figures, read), ...histories, step, steps, duration: figures.duration },
       half: half > 0 ? half : null,
       rates: read('rates', Math.min(4 * contacts, ROOM.beam.rates)),
       force: read('force', Math.ceil(figures.duration / step - 1e-6)),
-      cycle: { deepest, dent, depths, presses, loading, unloading },
+      cycle: { deepest, dent, depths, presses, widths, loading, unloading },
     };
   }
   /**
@@ -354,14 +364,15 @@ function marched(figures, read) {
 }
 
 /**
- * Two arrays that stand behind each other.
+ * Arrays that stand behind each other.
  * @param {(array: string) => Float64Array} read
  * @param {string} name
- * @param {number} both  numbers of both
+ * @param {number} count
  */
-function halvesOf(read, name, both) {
+function partsOf(read, name, count) {
   const found = read(name);
-  return [found.subarray(0, both / 2), found.subarray(both / 2)];
+  const size = found.length / count;
+  return Array.from({ length: count }, (_, k) => found.subarray(k * size, (k + 1) * size));
 }
 
 /**

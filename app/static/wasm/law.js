@@ -12,8 +12,10 @@ const FLOW = ['flowDepth', 'flowPressure', 'flowRadius', 'flowElastic', 'testsDe
 
 /**
  * A message with the laws that can be chosen.
- * @typedef {Pick<AxialFrame, 'acting' | 'chosen' | 'laws' | 'leastRestitution'>} Lawful
+ * @typedef {Pick<AxialFrame, 'acting' | 'chosen' | 'flowDepth' | 'laws' | 'leastRestitution' | 'touchFlow'>} Lawful
  */
+
+/** @typedef {'blowDepth' | 'flowDepth' | 'flowElastic' | 'touchFlow' | 'touchPressure' | 'touchRadius'} Touching */
 
 /**
  * Whether a choice is that of the law, or of a stiffness.
@@ -47,7 +49,7 @@ export function lawFor(kernels, { chosen: before, laws, leastRestitution }, chos
   const restored = chosen.restitution !== before.restitution;
   if (law.damps && restored && !law.damping) return null;
   if (changed.some((name) => name !== law.stiffness)) return null;
-  const harder = law.stiffness ? Number(chosen[law.stiffness]) / Number(before[law.stiffness]) : 1;
+  const harder = stiffened(law, before, chosen);
   const powers = (/** @type {number} */ k) =>
     speed ** law.bySpeed[k] * mass ** law.byMass[k] * harder ** (law.byStiffness[k] ?? 0);
   const constants = law.constants.map((value, k) => value * powers(k));
@@ -59,6 +61,15 @@ export function lawFor(kernels, { chosen: before, laws, leastRestitution }, chos
 }
 
 /**
+ * How many times as stiff it is by its own choice.
+ * @param {LawRecord} law
+ * @param {Chosen} before
+ * @param {Chosen} chosen
+ */
+const stiffened = ({ stiffness }, before, chosen) =>
+  stiffness ? Number(chosen[stiffness]) / Number(before[stiffness]) : 1;
+
+/**
  * The mass [kg] with which both bodies are felt.
  * @param {number} mass  of what strikes
  * @param {{ held: boolean, mass: number }} target
@@ -66,16 +77,22 @@ export function lawFor(kernels, { chosen: before, laws, leastRestitution }, chos
 export const felt = (mass, target) => (target.held ? mass : mass / (1 + mass / target.mass));
 
 /**
- * A message without what belongs to an impact by another law, and with the choices that act by this one.
+ * A message without what belongs to an impact by another law, and with the choices that act by this one. How a material
+ * flows as it is pressed on slowly stays where the law does: up to the depth that the server has shown.
  * @template {Lawful} F
  * @param {F} from
  * @param {LawRecord} law
+ * @param {Chosen} chosen
  * @returns {F}
  */
-export function withLaw(from, { choices, name }) {
-  const flows = 'touchFlow' in from || 'flowDepth' in from; // of which only the server can say more
-  const gone = name !== from.chosen.law ? [...CYCLE, ...TOUCH, ...FLOW] : flows ? [...TOUCH, ...FLOW] : [];
+export function withLaw(from, law, chosen) {
+  const { choices, name, yields } = law;
+  const unknown = yields && !(from.flowDepth && from.touchFlow); // then only the server can say how it flows
+  const gone = name !== from.chosen.law ? [...CYCLE, ...TOUCH, ...FLOW] : unknown ? [...TOUCH, ...FLOW] : [];
+  /** @type {Record<string, any>} */
   const kept = Object.fromEntries(Object.entries(from).filter(([each]) => !gone.includes(each)));
+  const harder = stiffened(law, from.chosen, chosen);
+  if (kept.flowPressure) kept.flowPressure = kept.flowPressure.map((/** @type {number} */ p) => p * harder);
   const others = from.laws.flatMap((other) => other.choices);
   const acting = [...from.acting.filter((each) => !others.includes(each)), ...choices];
   return /** @type {F} */ ({ ...kept, acting });
@@ -83,13 +100,13 @@ export function withLaw(from, { choices, name }) {
 
 /**
  * Indentation and force by the law, and what the impact did [m, N].
- * @param {Pick<AxialFrame, 'blowDepth' | 'forceUnit' | 'speed' | 'touchRadius' | 'trip'>} made
+ * @param {Pick<AxialFrame, 'forceUnit' | 'speed' | 'trip' | Touching>} made
  * @param {Pick<Impact, 'contacts' | 'duration'>} impact
  * @param {Cycle} cycle
  * @returns {Partial<AxialFrame>}
  */
 export function cycleOf(made, { contacts, duration }, cycle) {
-  const { blowDepth, forceUnit, speed, touchRadius, trip } = made;
+  const { forceUnit, speed, trip } = made;
   const unit = speed * trip;
   const [depth, force] = [cycle.depths.map((a) => a * unit), cycle.presses.map((f) => f * forceUnit)];
   const newtons = (/** @type {Float64Array} */ values) => values.map((f) => f * forceUnit);
@@ -98,14 +115,40 @@ export function cycleOf(made, { contacts, duration }, cycle) {
     ...{ cycleLoading: newtons(cycle.loading), cycleUnloading: newtons(cycle.unloading) },
     ...{ blowDepth: depth, blowForce: force },
   };
-  if (!touchRadius || !blowDepth) return found;
-  const deepest = touchRadius.indexOf(Math.max(...touchRadius));
-  const round = touchRadius[deepest] ** 2 / blowDepth[deepest]; // radius of the faces, as a^2 = alpha R
   const until = Math.min(duration, BEYOND * contacts[contacts.length - 1].end) * trip;
+  const touch = touchOf(
+    made,
+    depth,
+    force,
+    cycle.widths?.map((width) => width * unit),
+  );
+  return { ...found, ...(touch && { touchTime: depth.map((_, k, all) => (k / (all.length - 1)) * until), ...touch }) };
+}
+
+/**
+ * The circle on which two smooth bodies touch, by Hertz or as the material flows, where the server has shown another.
+ * @param {Pick<AxialFrame, Touching>} before
+ * @param {Float64Array} depth
+ * @param {Float64Array} force
+ * @param {Float64Array} [widths]  square of its radius over that of the faces [m]
+ */
+function touchOf({ blowDepth, flowDepth, flowElastic, touchFlow, touchPressure, touchRadius }, depth, force, widths) {
+  if (!touchRadius || !blowDepth) return null;
+  const deepest = touchRadius.indexOf(Math.max(...touchRadius));
+  if (!touchFlow || !flowDepth || !flowElastic || !touchPressure) {
+    const round = touchRadius[deepest] ** 2 / blowDepth[deepest]; // radius of the faces, as a^2 = alpha R
+    return {
+      touchRadius: depth.map((a) => Math.sqrt(Math.max(a, 0) * round)),
+      touchPressure: depth.map((a, k) => (a > 0 ? (PRESSURE * force[k]) / (Math.PI * a * round) : 0)),
+    };
+  }
+  const last = flowDepth.length - 1;
+  const round = flowElastic[last] ** 2 / flowDepth[last];
+  const strength = touchPressure[deepest] / touchFlow[deepest];
+  const squares = force.map((f, k) => (f > 0 && widths ? round * widths[k] : 0));
+  const pressure = squares.map((square, k) => (square > 0 ? force[k] / (Math.PI * square) : 0));
   return {
-    ...found,
-    touchTime: depth.map((_, k, all) => (k / (all.length - 1)) * until),
-    touchRadius: depth.map((a) => Math.sqrt(Math.max(a, 0) * round)),
-    touchPressure: depth.map((a, k) => (a > 0 ? (PRESSURE * force[k]) / (Math.PI * a * round) : 0)),
+    ...{ touchRadius: squares.map((square) => Math.sqrt(square)), touchPressure: pressure },
+    touchFlow: pressure.map((each) => each / strength),
   };
 }

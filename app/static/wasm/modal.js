@@ -1,14 +1,18 @@
 // The method beside, by modes of the rod, of the browser's own answers.
+import { attachedModes } from '../axial/attached_modes.js';
 import { figuresOf } from './figures.js';
 
 /** @import { AxialFrame, LawRecord } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
 
+const MOST_ATTACHED = 100; // modes that are found anew within a picture
+
 /**
  * Whether it is by modes as they are usually marched.
  * @param {AxialFrame} frame
  */
-export const byModes = ({ modalForce, other, usualSteps }) => Boolean(other && modalForce && usualSteps);
+export const byModes = ({ fieldForce, givesWay, modalForce, other, usualSteps }) =>
+  Boolean(other && usualSteps && (modalForce || (fieldForce && !givesWay)));
 
 /**
  * The method beside an impact that was found here. Nothing where there is no room, or where its bodies still touch as
@@ -20,12 +24,15 @@ export const byModes = ({ modalForce, other, usualSteps }) => Boolean(other && m
  */
 export function besideOf(kernels, made, law) {
   const begun = performance.now();
-  const { chosen, duration, exact, forceUnit, impactor, other, rods, target, trip } = made;
+  const { attached, chosen, duration, exact, forceUnit, givesWay, impactor, other, rods, target, trip } = made;
   if (!other) return {};
   const side = rods[0].mirror > 0 ? 1 : -1;
   const modes = Number(chosen.modes);
   const [, touching] = exact.contacts[exact.contacts.length - 1];
-  const found = kernels.modes(target.mass / impactor.mass, side, law, modes, touching, duration);
+  if (!givesWay && (!law.constants.length || (attached && modes > MOST_ATTACHED))) return null;
+  const kind = givesWay ? 'own' : attached ? 'given' : 'stiff';
+  const of = attached ? ofFrame(modes) : undefined;
+  const found = kernels.modes(target.mass / impactor.mass, side, law, modes, touching, duration, kind, of);
   if (!found) return null;
   const { contacts, force, highest, touches, window } = found;
   if (contacts[contacts.length - 1].end >= duration * (1 - 1e-12)) return null;
@@ -35,7 +42,8 @@ export function besideOf(kernels, made, law) {
   const { diagnostics, restitution } = figures;
   const apart = law.constants.length ? restitution.newton_at_contact : null; // of rigid contact the modes chatter
   return {
-    ...{ modalForce: force, otherMass: found.mass, otherEnd: found.end, step, modes },
+    ...{ otherMass: found.mass, otherEnd: found.end, step, modes },
+    ...(givesWay ? { modalForce: force } : { fieldForce: force, ...doubled(force, step) }),
     other: {
       ...figures,
       restitution: { ...restitution, newton_at_contact: apart },
@@ -47,3 +55,22 @@ export function besideOf(kernels, made, law) {
     },
   };
 }
+
+/**
+ * Modes of a free rod by a frame fixed to its struck end, with amplitudes where it is struck.
+ * @param {number} count
+ */
+export function ofFrame(count) {
+  const { felt, omega } = attachedModes(count);
+  return { frequencies: omega, atContact: felt.map((each) => Math.sqrt(2 * each)) };
+}
+
+/**
+ * A force that is constant over each step.
+ * @param {Float64Array} force
+ * @param {number} step
+ */
+const doubled = (force, step) => ({
+  otherTime: new Float64Array(2 * force.length).map((_, k) => ((k + 1) >> 1) * step),
+  otherForce: new Float64Array(2 * force.length).map((_, k) => force[k >> 1]),
+});

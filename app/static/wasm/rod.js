@@ -27,12 +27,13 @@ export const follows = (frame, name) =>
  * @param {AxialFrame} frame
  */
 export function isRod(frame) {
-  const { chosen, draft, duration, exact, fall, impactor, other, rods, stretch, target } = frame;
+  const { asked, chosen, draft, duration, exact, fall, impactor, other, rods, stretch, target } = frame;
   const [rod] = rods;
   const alone = rods.length === 1 && rod.mirror !== 0 && rod.drift === 0 && !target.rotation && !target.endMass;
   const mass = ['mass', 'sphere'].includes(impactor.kind) && impactor.mass > 0;
   const last = exact.contacts.at(-1)?.[1] ?? NaN;
-  const usual = Math.abs(duration - last - 1) < 1e-9 && !draft && !stretch && !fall;
+  const lasts = asked > 0 || Math.abs(duration - last - 1) < 1e-9;
+  const usual = lasts && !draft && !stretch && !fall;
   const beside = !other || byModes(frame) || bySpring(frame) || byBalance(frame);
   const shown = [exact.name, other?.name].includes(String(chosen.method)) && beside;
   return alone && mass && pressed(frame) && exact.travelling && usual && shown;
@@ -62,12 +63,14 @@ export function rodWith(kernels, from, chosen) {
   const heavier = felt(mass, from.target) / felt(from.impactor.mass, from.target);
   const law = lawFor(kernels, from, chosen, times, heavier);
   const side = from.rods[0].mirror > 0 ? 1 : -1;
-  const impact = law && (law.constants.length ? kernels.law(beta, side, law) : kernels.rod(beta, side));
+  const { asked } = from;
+  const through = Boolean(law?.constants.length);
+  const impact = law && (through ? kernels.law(beta, side, law, asked) : asked ? null : kernels.rod(beta, side));
   if (!impact) return null;
   const scales = { speed, forceUnit: from.forceUnit * times, stressUnit: from.stressUnit * times };
   const { duration, histories: drawn } = impact;
   const made = {
-    ...withLaw(from, law),
+    ...withLaw(from, law, chosen),
     ...{ damps: law.damps, exponent: law.exponent, nominal: law.nominal, yields: law.yields },
     ...{ ...scales, rigid: !law.constants.length },
     chosen,

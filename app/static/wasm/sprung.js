@@ -41,7 +41,7 @@ export function sprungWith(kernels, from, chosen) {
   const speed = Number(chosen.speed);
   const forceUnit = (felt(mass, target) / trip) * speed;
   const scales = { forceUnit, impactor: { ...from.impactor, mass }, speed, stressUnit: forceUnit };
-  const made = { ...withLaw(from, from.laws[0]), ...scales, chosen };
+  const made = { ...withLaw(from, from.laws[0], chosen), ...scales, chosen };
   const found = balance && balanceImpact(kernels, made, 0);
   if (!found) return null;
   const { duration } = found;

@@ -8,7 +8,7 @@ from .drawn import BEYOND, NO_ROOM, SOLVED, history_of, instant, samples_of
 from .events import NO_PULL
 from .laws import DENT, STORED
 from .laws import FORCE as FORCE_OF
-from .network import PARTED, solve
+from .network import PARTED, STOPPED, solve
 from .parts import BONDED, FREE, LAW
 from .periods import SILENT, periods
 from .record import (
@@ -183,19 +183,20 @@ def _cycle(record, law, constants, slopes, until, deepest, depths, forces, loadi
 
 
 @kernel
-def answer(
-    chain, record, state, work, law, of_law, tolerance, until, afterglow, points, pressing, contacts, drawn, cycle, out
-):
-    """Solve an impact until the bodies part for good, and write what is drawn of it, `afterglow` T beyond that.
+def answer(chain, record, state, work, law, of_law, ends, points, pressing, contacts, drawn, cycle, out):
+    """Solve an impact until the bodies part for good, or for as long as is asked, and write what is drawn of it.
 
     chain: two nodes, the mass beside the first; record, state, work: room for the solution; law: `laws.law_function`;
-    of_law: what `network.solve` takes besides, (constants, remembers, loses, pulse, masses); points: even times of the
-    wave; pressing (room, 2), contacts (room, CONTACT_COLUMNS); drawn: `Drawn`; cycle: indentation and force of the
-    impact (instants,), loading and unloading by the law (depths,); out (COLUMNS,). Returns SOLVED, or NO_ROOM, also
-    where they have not parted by `until`.
+    of_law: what `network.solve` takes besides, (constants, remembers, loses, pulse, masses); ends: (tolerance, most,
+    afterglow, asked), as `chain_drawn.answer` has them; points: even times of the wave; pressing (room, 2), contacts
+    (room, CONTACT_COLUMNS); drawn: `Drawn`; cycle: indentation and force of the impact (instants,), loading and
+    unloading by the law (depths,); out (COLUMNS,). Returns SOLVED, or NO_ROOM, also where they have not parted by
+    `most`.
     """
     chain, record, state, work = refer(chain), refer(record), refer(state), refer(work)
-    status = solve(chain, record, state, work, law, law, *of_law, WAIT, NO_PULL, until, tolerance)
+    tolerance, most, afterglow, asked = ends
+    wait, until = (np.inf, min(asked, most)) if asked > 0.0 else (WAIT, most * 1.0)
+    status = solve(chain, record, state, work, law, law, *of_law, wait, NO_PULL, until, tolerance)
     own, remembers, slopes, silent = (
         of_law[0][0],
         of_law[1][0],
@@ -204,11 +205,11 @@ def answer(
     )
     count = periods(record, 0, np.bool_(False), law, own, remembers, silent, slopes, pressing)
     jumps = force_jumps(record, state, 0, drawn.jumps)
-    if status != PARTED or count < 1 or jumps < 0:
+    if status != (STOPPED if asked > 0.0 else PARTED) or count < 1 or jumps < 0:
         return NO_ROOM
     _table(record, pressing, count, contacts)
     parted = contacts[count - 1, END]
-    last = min(parted + afterglow, state.time[0], state.time[1])
+    last = min(asked if asked > 0.0 else parted + afterglow, state.time[0], state.time[1])
     force = record, np.int64(0), np.int64(FORCE), last
     out[FORCE_POINTS] = kept_history(samples_of(last), last, drawn.jumps[:jumps], force, drawn.force_time, drawn.force)
     found = drawn.jumps[: sent_jumps(record, 0, OUT_RIGHT, drawn.jumps)]

@@ -11,7 +11,7 @@ import numpy as np
 from numba import types
 
 from ...jit.kernels import address, addressed_kernel, inner_kernel
-from ..law_functions import CONSTANTS
+from ..law_functions import CONSTANTS, one_of
 from .collocation import INTEGRATE, INTEGRATE_TWICE, STAGES, solve_in_place
 from .record import POINTS
 
@@ -61,21 +61,13 @@ def law_kernel(kind: type) -> Callable:
 def any_law(kinds: Sequence[type]) -> Callable:
     """The same for several sorts of laws, by the number of one among `kinds` that follows its CONSTANTS."""
 
-    def choice(number: int) -> Callable:
-        own = law_kernel(kinds[number])
-        if number + 1 == len(kinds):
-            return own
-        others = choice(number + 1)
+    chosen = one_of([law_kernel(kind) for kind in kinds])
 
-        @inner_kernel
-        def asked(question, constants, depth, rate, deepest, slopes):
-            if constants[CONSTANTS] == number:
-                return own(question, constants, depth, rate, deepest, slopes)
-            return others(question, constants, depth, rate, deepest, slopes)
+    @inner_kernel
+    def asked(question, constants, depth, rate, deepest, slopes):
+        return chosen(int(constants[CONSTANTS]), question, constants, depth, rate, deepest, slopes)
 
-        return asked
-
-    return choice(0)
+    return asked
 
 
 @lru_cache

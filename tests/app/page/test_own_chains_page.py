@@ -41,6 +41,8 @@ MOVE_CHAIN = MOVE.replace("()];", f"(), ({CHAIN})()];")
         ("?scene=rod-with-end-mass", "restitution", [0.5]),
         ("?scene=semi-infinite-rod", "mass_ratio", [0.6, 4.0]),
         ("?scene=figure-4.1&layout=opening", "mass_ratio", [3.0]),
+        ("?scene=figure-3.6", "speed", [3.0, 0.7]),
+        ("?scene=figure-4.6", "speed", [3.0]),
     ],
 )
 def test_it_is_answered_as_the_server_does(open_page, query, name, values):

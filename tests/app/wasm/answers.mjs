@@ -4,6 +4,7 @@ const [, , module, kernels] = process.argv;
 const { kernelsOf } = await import(kernels);
 const { chainImpact } = await import(kernels.replace('kernels.js', 'chain_kernel.js'));
 const { balanceImpact } = await import(kernels.replace('kernels.js', 'balance.js'));
+const { ofFrame } = await import(kernels.replace('kernels.js', 'modal.js'));
 const found = await kernelsOf(readFileSync(module));
 
 const drawn = ({ waveTime, wave, forceTime, force, mass, end, whole }) => ({
@@ -19,8 +20,8 @@ function rod([beta, reflection]) {
   return { ...drawn(histories), out, contacts: contacts.flatMap((c) => [c.start, c.end, c.push, c.after, c.peak]) };
 }
 
-function law([beta, reflection, name, constants, whole]) {
-  const impact = found.law(beta, reflection, { name, constants });
+function law([beta, reflection, name, constants, whole, asked]) {
+  const impact = found.law(beta, reflection, { name, constants }, asked);
   if (!impact) return {};
   const { apart, compressing, contacts, cycle, dissipated, energy, final, histories, impulse, target } = impact;
   const { deepest, dent, depths, presses, loading, unloading } = cycle;
@@ -31,8 +32,9 @@ function law([beta, reflection, name, constants, whole]) {
   return { ...listed, ...drawn(histories), ...path };
 }
 
-function modes([beta, reflection, name, constants, count, touching, duration]) {
-  const impact = found.modes(beta, reflection, { name, constants }, count, touching, duration);
+function modes([beta, reflection, name, constants, count, touching, duration, kind]) {
+  const of = kind === 'given' ? ofFrame(count) : undefined;
+  const impact = found.modes(beta, reflection, { name, constants }, count, touching, duration, kind, of);
   if (!impact) return {};
   const { contacts, force, mass, end, ...figures } = impact;
   const rows = contacts.map((c) => [c.start, c.end, c.push, c.peak, c.after]);

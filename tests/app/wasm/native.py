@@ -32,7 +32,7 @@ def rod(beta: float, reflection: float) -> dict[str, list[float]] | None:
     return found | {"out": figures, "contacts": contacts.ravel().tolist()}
 
 
-def law(scene: Scene) -> dict[str, list[float]] | None:
+def law(scene: Scene, asked: float = 0.0) -> dict[str, list[float]] | None:
     """The same of an impact through a contact law."""
     given = ChainScene(scene)
     struck, _, constants = given.kernel_laws()
@@ -42,7 +42,7 @@ def law(scene: Scene) -> dict[str, list[float]] | None:
     record = new_record(2, STRETCHES)
     rooms = record, new_state(given.chain, STRETCHES), new_work()
     status = law_drawn.answer(
-        given.chain, *rooms, law_function(struck), of_law, TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, POINTS,
+        given.chain, *rooms, law_function(struck), of_law, (TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, asked), POINTS,
         np.empty((CONTACTS, 2), np.int64), contacts, drawn, cycle, out,
     )  # fmt: skip
     if status != histories.SOLVED:

@@ -4,12 +4,14 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from solvers import Balance
 from solvers.numerics import balances
-from solvers.numerics.balance_histories import course
+from solvers.numerics.balance_histories import average, course
 from solvers.numerics.balances import Bank
 from solvers.numerics.elements.banded import full
 from solvers.numerics.elements.modes import mesh_modes
 from solvers.numerics.free_motion import exact_turn, newmark_turn
+from solvers.scenes.library import scene_of
 from tests.catalog import ROD, STEEL_ROD_MASS, T
 
 MASS = STEEL_ROD_MASS
@@ -225,3 +227,25 @@ def test_bodies_that_accelerate_away_from_each_other_are_not_awaited_for_ever():
         room(q),
     )
     assert count >= 1 and reached < 100.0
+
+
+def test_a_balance_at_the_end_of_the_averaging_window_counts_and_one_at_its_beginning_does_not():
+    """Of even steps that stand at both ends rounding decided, and the force jumped by a balance."""
+    step, half, balances_in_all = 0.1, 3, 41
+    time = np.repeat(step * np.arange(balances_in_all), 2)
+    impulse = np.concatenate([(k, k + 1.0) for k in range(balances_in_all)])
+    for period in np.nextafter(2 * half * step, (0.0, 1.0)):
+        force = np.empty(time.size)
+        average(time, impulse, period, force)
+        inside = slice(2 * half + 2, -2 * half - 2)
+        assert force[inside] == approx(1.0 / step, rel=1e-6)
+
+
+@pytest.mark.parametrize("ratio", [0.1, 1.0, 10.0])
+def test_bodies_that_land_without_rebound_on_a_spring_at_rest_stay_together(ratio):
+    """The spring does not press yet, so that the next derivative decides: rounding of the force did."""
+    scene = scene_of("spring-mass")
+    for last_bits in np.linspace(1.0 - 1e-15, 1.0 + 1e-15, 9).tolist():
+        struck = scene.with_impactor_mass(scene.target.mass / ratio * last_bits)
+        (contact,) = Balance(restitution=0.0, estimate=False).solve(struck).contacts
+        assert contact.end > 0.1 * struck.time_unit
