@@ -53,6 +53,16 @@ const PLAIN = ['bodies', 'rows', 'numbers']; // what of it is no chart
 const FLAGS = [KEY, PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
+/**
+ * A table of the page as the column of a lesson has room for it: figures by the method that is shown alone.
+ * @param {HTMLTableElement} table
+ */
+function narrowed(table) {
+  const copy = /** @type {HTMLTableElement} */ (table.cloneNode(true));
+  if (copy.classList.contains('by-method')) for (const row of copy.rows) while (row.cells.length > 2) row.deleteCell(2);
+  return copy;
+}
+
 export class Lesson {
   at = -1;
   /** @type {Question | null} */ question = null;
@@ -111,6 +121,7 @@ export class Lesson {
     this.page.opening.question = this.heading; // to which one skips
     for (const { stage } of Object.values(this.page.views)) if ('striker' in stage) stage.striker = null; // no hand
     root.querySelector('.topbar h1')?.after(this.bar.root);
+    this.page.waiter.place = this.bar.root; // and not over what is asked
     root.append(this.root, this.moves);
     if (this.flags.includes(PROJECTOR)) this.bar.projector.turn(true);
   }
@@ -265,7 +276,7 @@ export class Lesson {
   /** The figures of the impact, which are no riddle any more. */
   #numbers() {
     if (!this.#shown.includes('numbers') || this.coming || !this.page.frame) return [];
-    const tables = [...this.page.story.numbers.querySelectorAll('table')].map((table) => table.cloneNode(true));
+    const tables = [...this.page.story.numbers.querySelectorAll('table')].map(narrowed);
     const root = make('div', { className: 'lesson-scroll', role: 'group', tabIndex: 0 }, ...tables);
     root.ariaLabel = text('lesson.numbers');
     return [root];
@@ -378,6 +389,7 @@ export class Lesson {
     this.second.lay(!this.#closed);
     this.page.controls.lead(this.sliders ?? []);
     this.question?.load?.(frame);
+    if (this.#shown.includes('numbers')) this.#follow();
   }
   /** @param {number} t */
   show(t) {

@@ -241,7 +241,7 @@ def test_symbols_explain_themselves_to_pointer_and_keyboard(open_page):
     expect(tip).to_contain_text("T: round trip")
     expect(tip).to_contain_text("source thesis (4.10)")
     page.tab.get_by_text("Mass ratio", exact=True).hover()
-    expect(tip).to_contain_text("the hammer is heavier")
+    expect(tip).to_contain_text("the striker is heavier")
     page.tab.get_by_role("slider", name="Impact speed", exact=True).focus()
     page.tab.keyboard.press("Tab")
     page.tab.keyboard.press("Shift+Tab")
