@@ -87,11 +87,7 @@ def axial_frame(request: Request) -> bytes:
         "forceUnit": force_unit,
         "stressUnit": stress_unit,
         "modes": request.modes,
-        "step": None if marched is None else marched.step / trip,
-        "asked": scene.method["duration"] / trip if "duration" in scene.method else 0.0,
-        "usualSteps": marched is not None and "steps" not in own_options(scene, Modal.NAME),
-        "givesWay": marched is not None and bool(other and other.method["residual"]),
-        "attached": other is not None and other.method.get("frame") == "attached",
+        **_marched(scene, other, marched),
         "exact": _figures(exact) | {"name": known_as(exact)},
         "gaps": _gaps(exact),
         "lastBall": _last_ball(exact),
@@ -188,6 +184,18 @@ def _units(scene: Scene) -> tuple[float, float]:
         return force, force / target.section.area
     force = scene.reduced_mass / scene.time_unit * scene.speed
     return force, force
+
+
+def _marched(scene: Scene, other: Solution | None, motion: ModalMotion | None) -> dict[str, Any]:
+    """How modes are marched whose fields the browser rebuilds, and for how long the impact is followed."""
+    trip = scene.time_unit
+    return {
+        "step": None if motion is None else motion.step / trip,
+        "asked": scene.method["duration"] / trip if "duration" in scene.method else 0.0,
+        "usualSteps": motion is not None and "steps" not in own_options(scene, Modal.NAME),
+        "givesWay": motion is not None and bool(other and other.method["residual"]),
+        "attached": other is not None and other.method.get("frame") == "attached",
+    }
 
 
 def _carried_by_the_browser(solution: Solution) -> ModalMotion | None:
