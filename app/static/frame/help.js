@@ -1,7 +1,7 @@
 // The help: keys, what is where, and the documentation where its address is set.
 import { family, text } from '../text/catalogue.js';
 import { make } from '../browser/dom.js';
-import { framed } from '../browser/home.js';
+import { alone, carried, framed } from '../browser/home.js';
 import { wayOut } from './framed.js';
 import { languagesOf } from './language.js';
 
@@ -56,7 +56,11 @@ export class Help {
     this.button.ariaLabel = name;
     this.button.setAttribute('aria-haspopup', 'dialog');
     this.button.onclick = () => this.open();
-    this.buttons = framed ? [wayOut(page)] : [...languagesOf(page), this.button];
+    const words = { type: 'button', className: 'to-lessons', textContent: text('gallery.lessons') };
+    const lessons = make('button', { ...words, onclick: () => page.scenes.open() });
+    lessons.setAttribute('aria-haspopup', 'dialog');
+    const taught = alone && !carried ? [lessons] : [];
+    this.buttons = framed ? [wayOut(page)] : [...taught, ...languagesOf(page), this.button];
     const close = make('button', { type: 'button', className: 'sign', textContent: '✕', onclick: () => this.close() });
     close.title = close.ariaLabel = text('help.close');
     const head = make(

@@ -49,6 +49,12 @@ def test_the_last_step_leads_to_all_lessons_and_they_say_how_far_one_has_come(op
     page.tab.wait_for_url("**scene=free-rod*")
 
 
+def test_who_knows_no_key_finds_lessons_in_the_bar(open_page):
+    page = open_page("", size=(820, 1180))
+    button(page, "Lessons").click()
+    expect(page.tab.locator(".lesson-cards a").first).to_be_in_viewport()
+
+
 def dropped(page, text: str, name: str = "mine.md") -> None:
     page.tab.evaluate(
         """([name, text]) => {
