@@ -46,6 +46,7 @@ def test_numbers(language):
         "2.3": slides() / 2.0, "0.30": energy["friction"], "0.16": energy["dissipated"], "1000": KILO,
         "2.4": solution.impactor_velocity[1], "61": 100.0 * (1.0 - energy["impactor"] / energy["initial"]),
         "0.46": along(SMALL), "0.08": -along(LARGER), "0.2": LARGER, "0.4": 0.4,
+        "0.263": solution.sliding[0].until,
     }  # fmt: skip
     assert_numbers(NAME, language, values)
     assert same("1", along(0.0)) and same("0.31", -along(0.4))

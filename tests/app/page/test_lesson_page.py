@@ -326,3 +326,21 @@ def test_what_is_no_point_is_named_and_draws_nothing(open_page):
     button(page, "Draw them").click()
     expect(page.tab.locator(".sketch .wrong")).to_have_text("Not two numbers: hello; 1 x")
     assert button(page, "Show what happens").is_disabled()
+
+
+WAITS = "() => strikewave.page.waiter.soon('test', 'Solving …')"
+COVERED = """() => {
+  const both = [strikewave.page.waiter.root, strikewave.page.root.querySelector('.lesson h2')];
+  const [a, b] = both.map((each) => each.getBoundingClientRect());
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}"""
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (820, 1180), (390, 844)])
+def test_what_is_waited_for_does_not_stand_over_the_question(open_page, size):
+    """Where the caption was before the lesson came, its heading is now."""
+    page = open_page(LESSON, size=size)
+    ready(page)
+    page.evaluate(WAITS)
+    expect(page.tab.locator(".waiting")).to_be_visible()
+    assert not page.evaluate(COVERED)
