@@ -22,7 +22,7 @@ from ..messages.encoding import arrays_of, read_header, whole_numbers
 from ..messages.solve import solve_frame
 from ..page.lab import STATIC, spec_of_choices
 from ..page.picker import gallery
-from ..text.catalogues import direction, page
+from ..text.catalogues import direction, of_browser, page
 from ..wasm.covered import covered_of
 from ..wasm.module import MODULE, named_in, sources
 from .bundle import function
@@ -166,7 +166,7 @@ def _scenes(names: list[str], laboratory: str, language: str, lessons: dict[str,
 
 def _texts(language: str, lessons: bool) -> dict[str, str]:
     """Of the page, but for those of lessons where there are none."""
-    texts = page(language).texts
+    texts = of_browser(language)
     return {code: text for code, text in texts.items() if lessons or not code.startswith(TEXTS_OF_LESSONS)}
 
 

@@ -92,7 +92,7 @@ def names() -> set[str]:
     mechanisms = (solvers.load(name).target for name in solvers.scene_names())
     links = {link.name for body in mechanisms if isinstance(body, Mechanism) for link in body.links}
     processor = json.dumps(solvers.stored_tradeoff(solvers.load("fixed-rod")).table()["machine"])
-    titles = [title for _, title in picker.lessons(SOURCE)]
+    titles = [each[key] for each in picker.lessons(SOURCE) for key in ("title", "before", "audience")]
     languages = [catalogues.page(each).texts["document.language"] for each in LANGUAGES]
     return NAMED | {word for text in (*links, *titles, *languages, processor) for word in BARE.findall(text)}
 
