@@ -34,6 +34,7 @@ HERE = Path(__file__).parent
 ENTRIES = ("gallery/gallery.js", "take/files.js", "offline/page.js")
 OF_LESSONS = ("lesson/lesson.js", "courses/courses.js")  # before these, and the sheets of both
 TEXTS_OF_LESSONS = ("lesson.", "class.")
+REFUSING = ("refusals.", "allowed.")
 WITHOUT = ("mechanism", "space")  # kinds of scene that no kernel here answers
 CYCLE = ("cycleDepth", "cycleLoading", "cycleUnloading", "blowForce", "touchTime", "touchPressure")
 REMADE = {  # by kind of message: histories that kernels make anew, or that only a server has of other choices
@@ -149,8 +150,9 @@ def _scenes(names: list[str], laboratory: str, language: str, lessons: dict[str,
     spec = spec_of_choices()
     known = {law["name"] for header, _ in parts for law in json.loads(header)["laws"]}
     laws = [name for name in spec["law"]["options"] if name in known]
+    headers = b"".join(header for header, _ in parts)
     head = {
-        "texts": {"language": language, "texts": _texts(language, bool(lessons))},
+        "texts": {"language": language, "texts": _texts(language, bool(lessons), headers.decode())},
         "spec": spec | {"scene": spec["scene"] | {"options": names}, "law": spec["law"] | {"options": laws}},
         "gallery": _gallery(set(names), lessons, language),
         "lessons": lessons,
@@ -160,14 +162,18 @@ def _scenes(names: list[str], laboratory: str, language: str, lessons: dict[str,
         "sizes": [len(each) for each in pool],
     }
     text = json.dumps(head, ensure_ascii=False, separators=(",", ":")).encode()
-    headers = b"".join(header for header, _ in parts)
     return script("strikewavePacked", len(text).to_bytes(4, "little") + text + headers + b"".join(pool))
 
 
-def _texts(language: str, lessons: bool) -> dict[str, str]:
-    """Of the page, but for those of lessons where there are none."""
-    texts = of_browser(language)
-    return {code: text for code, text in texts.items() if lessons or not code.startswith(TEXTS_OF_LESSONS)}
+def _texts(language: str, lessons: bool, headers: str) -> dict[str, str]:
+    """Of the page, but for those of lessons where there are none, and refusals that no message has: a server gives
+    the others.
+    """
+    return {
+        code: text
+        for code, text in of_browser(language).items()
+        if (lessons or not code.startswith(TEXTS_OF_LESSONS)) and (not code.startswith(REFUSING) or code in headers)
+    }
 
 
 def script(name: str, content: bytes) -> bytes:

@@ -32,11 +32,16 @@ def lessons(language: str) -> Catalogue:
     return Catalogue(language, ((OWN, ""), (HERE, "lessons")))
 
 
+def of_browser(language: str) -> dict[str, str]:
+    """What of the page's catalogue a browser asks for: not what is printed."""
+    return {code: text for code, text in page(language).texts.items() if not code.startswith("printed.")}
+
+
 @cache
 def script(language: str) -> str:
     """The page's catalogue as a script for the browser, see app/static/text/catalogue.js."""
     others = {each: page(each).texts["document.language"] for each in LANGUAGES if each != language}
-    texts = {"language": language, "others": others, "texts": page(language).texts}
+    texts = {"language": language, "others": others, "texts": of_browser(language)}
     return f"globalThis.strikewaveTexts = {json.dumps(texts, ensure_ascii=False)};\n"
 
 

@@ -54,13 +54,9 @@ export class Gallery {
     this.own = make('section', { className: 'own' });
     this.courses = Taught ? this.#courses(Taught, listed) : null;
     const parts = [this.own, ...this.#cards(listed), ...this.#index(listed)];
-    this.body = make(
-      'div',
-      { className: 'gallery-body' },
-      ...(this.courses ? [this.courses.root] : []),
-      ...lacking(),
-      ...parts,
-    );
+    const taught = this.courses?.root ?? make('section');
+    taught.append(...lacking());
+    this.body = make('div', { className: 'gallery-body' }, taught, ...parts);
     this.root = make('dialog', { className: 'gallery' }, head, this.body, this.editor.root);
     if (this.courses) this.root.append(this.courses.file.root);
     this.root.setAttribute('aria-labelledby', 'gallery');
