@@ -79,12 +79,12 @@ def one_of(kernels: Sequence[Callable]) -> Callable:
         others = choice(number + 1) if number + 1 < len(kernels) else None
 
         @inner_kernel
-        def chosen(which, *given):
+        def own_or_others(which, *given):
             if others is None or which == number:
                 return own(*given)
             return others(which, *given)
 
-        return chosen
+        return own_or_others
 
     return choice(0)
 

@@ -6,7 +6,6 @@ import { said } from '../text/catalogue.js';
 
 const LATE = 300; // ms: an answer that comes sooner needs no word
 const LOOK = 100;
-const SIDES = ['left', 'top', 'width', 'height'];
 
 export class Waiting {
   /** @type {Map<string, { sentence: string, since: number }>} */ signs = new Map(); // what is waited for, by name
@@ -66,10 +65,7 @@ export class Waiting {
   /** Where its place is now. */
   settle() {
     const box = this.place?.getBoundingClientRect();
-    if (!box?.width) {
-      for (const side of SIDES) this.root.style.removeProperty(side); // a lesson has none
-      return;
-    }
+    if (!box?.width) return;
     const from = this.root.offsetParent?.getBoundingClientRect(); // in another's page, which scrolls
     const { width, height } = box;
     const at = { left: box.left - (from?.left ?? 0), top: box.top - (from?.top ?? 0), width, height };

@@ -228,9 +228,9 @@ def test_dragging_shows_results_on_the_way_and_ends_with_the_newest(open_page):
     page.frames["bytes"] = 0
     solves = page.evaluate(
         """async () => {
-          const before = strikewave.frames, { send } = strikewave.page.controls;
+          const before = strikewave.frames, { controls } = strikewave.page;
           for (let i = 0; i < 90; i++) {
-            send('mass_ratio', 0.5 + i / 50);
+            controls.send('mass_ratio', 0.5 + i / 50);
             await new Promise(requestAnimationFrame);
           }
           return strikewave.frames - before;

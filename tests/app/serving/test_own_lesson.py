@@ -32,6 +32,9 @@ def post(address: str, content: bytes, **headers: str):
         return refused.code, answer | {"error": sentence(answer["error"])}
 
 
+NO_TOML = "the line cannot be read: it is no KEY = VALUE of TOML "
+
+
 def refused(content: str | bytes) -> list[tuple[int, str]]:
     given = content.encode() if isinstance(content, str) else content
     return [tuple(each) for each in json.loads(read_own(given, "en"))["problems"]]
@@ -79,9 +82,13 @@ def test_a_translation_alone_is_refused_in_a_sentence():
         (b"\0" * 1000, 1, "the file has no head"),
         (b"", 1, "the file has no head"),
         (HEAD.replace("version: 1", "version: 2") + SUMMARY, 3, "version: got 2; allowed: 1, as this program knows no"),
-        (HEAD + "## Step\n" + CHOICE + ':::{after}\nat = 1\nplay = [1, "x]\n\nWords.\n:::\n', 20, "this is no TOML"),
-        (HEAD + fence("choice", '[[option]]\ntext = "a"\nsay = "b"\n[[option]\n'), 13, "this is no TOML (Expected"),
-        (HEAD + fence("scene", "show = ['bodies']\n\n\ntime = T"), 13, "this is no TOML"),
+        (
+            HEAD + "## Step\n" + CHOICE + ':::{after}\nat = 1\nplay = [1, "x]\n\nWords.\n:::\n',
+            20,
+            NO_TOML + "(Unterminated",
+        ),
+        (HEAD + fence("choice", '[[option]]\ntext = "a"\nsay = "b"\n[[option]\n'), 13, NO_TOML + "(Expected"),
+        (HEAD + fence("scene", "show = ['bodies']\n\n\ntime = T"), 13, "the line cannot be read: text"),
         (HEAD + "## Step\n" + ":" * 150_000, 9, ""),
     ],
 )
