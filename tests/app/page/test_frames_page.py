@@ -154,9 +154,9 @@ def test_it_needs_no_store_and_no_cookie(framed):
     _, inside = framed(script=BLOCKED)
     inside.get_by_role("radio", name="A second contact").check()
     inside.get_by_role("button", name="Show what happens").click()
-    inside.get_by_role("button", name="Next →").click()
+    inside.get_by_role("button", name="Next →").press("Enter")  # by keys: the frame grows under a pointer
     inside.wait_for_function(SHOWN.format(step=1), timeout=PATIENCE)
-    inside.get_by_role("button", name="Back", exact=True).click()
+    inside.get_by_role("button", name="Back", exact=True).press("Enter")
     inside.wait_for_function("() => strikewave.page.opening.teaching.lesson.question.done", timeout=PATIENCE)
 
 
