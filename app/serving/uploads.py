@@ -5,6 +5,7 @@ address with most of them makes room: whoever sends slowly keeps nobody out, and
 """
 
 import logging
+from abc import ABC, abstractmethod
 from collections import Counter
 from typing import Any, ClassVar
 
@@ -33,7 +34,7 @@ log = logging.getLogger("strikewave")
 
 
 @stream_request_body
-class Upload(RequestHandler):
+class Upload(RequestHandler, ABC):
     """POST with a file as body."""
 
     _held: ClassVar[dict["Upload", int]] = {}  # bytes, of all visitors together
@@ -42,13 +43,13 @@ class Upload(RequestHandler):
     def initialize(self) -> None:
         self.address = self.application.settings.get("addresses", PEERS).of(self.request)
 
+    @abstractmethod
     def limit(self, size: int) -> None:
         """Raises ValueError for a size [bytes] that is too large."""
-        raise NotImplementedError
 
+    @abstractmethod
     async def answered(self, content: bytes) -> str:
         """JSON. Raises ValueError for what cannot be."""
-        raise NotImplementedError
 
     def prepare(self):
         self._body, self._refusal = bytearray(), None
