@@ -295,7 +295,7 @@ export class Stage {
       const times = factor >= 1 ? grouped(factor) : localised(factor.toPrecision(1));
       const words = text('stage.movement', { times });
       const end = 12 + c.measureText(words).width;
-      c.fillText(words, 12, end < below ? height - 10 : end < above ? height - 12 - 14 * zoom : 14 * zoom);
+      c.fillText(words, 12, end < below ? height - 1 - 3 * zoom : end < above ? height - 12 - 14 * zoom : 14 * zoom);
     }
     if (frame.rods.length || frame.target.row) return;
     const perMetre = this.scale / (frame.speed * frame.trip);
