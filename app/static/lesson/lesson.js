@@ -49,19 +49,9 @@ import { summaryOf } from './summary.js';
  */
 
 const AT_FIRST = ['bodies'];
-const PLAIN = ['bodies', 'rows', 'numbers']; // what of it is no chart
+const PLAIN = ['bodies', 'rows']; // what of it is no chart
 const FLAGS = [KEY, PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
-
-/**
- * A table of the page as the column of a lesson has room for it: figures by the method that is shown alone.
- * @param {HTMLTableElement} table
- */
-function narrowed(table) {
-  const copy = /** @type {HTMLTableElement} */ (table.cloneNode(true));
-  if (copy.classList.contains('by-method')) for (const row of copy.rows) while (row.cells.length > 2) row.deleteCell(2);
-  return copy;
-}
 
 export class Lesson {
   at = -1;
@@ -262,7 +252,7 @@ export class Lesson {
     const open = question && !question.done;
     const sums = this.step.parts.filter(({ kind }) => kind === 'summary').map((part) => summaryOf(this, part));
     const nodes = !open && this.#laid ? elementsOf(this.#after.nodes ?? []) : [];
-    this.tail?.replaceChildren(...nodes, ...sums, ...(open ? [] : this.#numbers()));
+    this.tail?.replaceChildren(...nodes, ...sums);
     this.back.disabled = at === 0;
     this.page.root.classList.toggle('last-step', last); // which has other ways to go on
     this.onwards.textContent = text(open ? 'lesson.skip' : 'lesson.next');
@@ -272,14 +262,6 @@ export class Lesson {
   /** What a sketch explains, it explains beside the rod. */
   get #laid() {
     return !(this.question instanceof Sketch) || this.question.laid;
-  }
-  /** The figures of the impact, which are no riddle any more. */
-  #numbers() {
-    if (!this.#shown.includes('numbers') || this.coming || !this.page.frame) return [];
-    const tables = [...this.page.story.numbers.querySelectorAll('table')].map(narrowed);
-    const root = make('div', { className: 'lesson-scroll', role: 'group', tabIndex: 0 }, ...tables);
-    root.ariaLabel = text('lesson.numbers');
-    return [root];
   }
   /** What is seen below the picture, and which sliders. */
   arrange() {
@@ -389,7 +371,6 @@ export class Lesson {
     this.second.lay(!this.#closed);
     this.page.controls.lead(this.sliders ?? []);
     this.question?.load?.(frame);
-    if (this.#shown.includes('numbers')) this.#follow();
   }
   /** @param {number} t */
   show(t) {
