@@ -7,6 +7,7 @@ import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { Bar } from './bar.js';
 import { Below } from './below.js';
+import { Coming } from './coming.js';
 import { endingOf } from './ending.js';
 import { eventsOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
@@ -81,6 +82,7 @@ export class Lesson {
     this.root = make('section', { className: 'lesson', ariaLabel: text('lesson.lesson') }, column, this.spoken);
     this.bar = new Bar(this);
     this.below = new Below(page);
+    this.awaited = new Coming(page);
     this.second = new Second(page);
     this.first = new First(page);
     const word = make('span', { className: 'lesson-word', textContent: text('lesson.back') });
@@ -111,7 +113,7 @@ export class Lesson {
     this.page.opening.question = this.heading; // to which one skips
     for (const { stage } of Object.values(this.page.views)) if ('striker' in stage) stage.striker = null; // no hand
     root.querySelector('.topbar h1')?.after(this.bar.root);
-    this.page.waiter.place = this.bar.root; // and not over what is asked
+    this.awaited.over(this.bar.root); // where it is not over what is asked
     root.append(this.root, this.moves);
     if (this.flags.includes(PROJECTOR)) this.bar.projector.turn(true);
   }
@@ -190,6 +192,7 @@ export class Lesson {
   enter(at, focus = true) {
     const { page, progress, record } = this;
     this.question?.chart?.remove();
+    const first = this.at < 0;
     this.at = Math.min(Math.max(at, 0), record.steps.length - 1);
     progress.far = Math.max(progress.far, this.at);
     this.coming = true;
@@ -204,12 +207,15 @@ export class Lesson {
     this.second.want(beside && Object.keys(beside).length ? { ...this.#settings, ...beside } : null);
     page.goTo(this.#settings, (frame) => {
       if (frame && own === this.at) this.#arrive(frame);
+      else this.awaited.end();
     });
+    if (this.coming) this.awaited.begin(first);
     page.history.write();
   }
   /** @param {Frame} frame  of this step */
   #arrive(frame) {
     this.coming = false;
+    this.awaited.over(this.bar.root);
     this.first.lay(this.at, (this.sliders ?? []).length > 0);
     this.load(frame);
     this.below.show(this.below.names, true);
