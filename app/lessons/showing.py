@@ -5,7 +5,7 @@ from .fields import Fields
 from .solving import Shown
 from .stage import Stage
 
-PLAIN = ("bodies", "rows", "numbers")
+PLAIN = ("bodies", "rows")
 CHARTS = {  # of the page, by kind of scene
     "axial": ("force", "moved", "indentation"),
     "beam": ("force", "moved", "indentation", "dispersion"),

@@ -83,7 +83,7 @@ export class Story {
     this.units = make('p', { className: 'symbols' });
     this.match = make('p', { className: 'match' });
     this.table = make('table', { className: 'contacts' });
-    this.figures = make('table', { className: 'figures by-method' });
+    this.figures = make('table', { className: 'figures' });
     this.energy = make('div', { className: 'energy' });
     this.trust = make('p', { className: 'trust' });
     this.warnings = new Warnings();

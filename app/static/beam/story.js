@@ -33,7 +33,7 @@ export class BeamStory {
     this.why = make('p', { className: 'match' });
     this.span = make('p', { className: 'match span' });
     this.table = make('table', { className: 'contacts' });
-    this.answers = make('table', { className: 'figures by-method' });
+    this.answers = make('table', { className: 'figures' });
     this.beside = make('p', { className: 'help' });
     this.energy = make('div', { className: 'energy' });
     this.source = make('p', { className: 'trust' });

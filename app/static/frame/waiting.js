@@ -24,9 +24,10 @@ export class Waiting {
    * An answer is on its way: said after a moment.
    * @param {string} name
    * @param {string} sentence
+   * @param {number} [moment]  ms
    */
-  soon(name, sentence) {
-    this.signs.set(name, { sentence, since: performance.now() + LATE });
+  soon(name, sentence, moment = LATE) {
+    this.signs.set(name, { sentence, since: performance.now() + moment });
     this.say();
   }
   /** @param {string} name */

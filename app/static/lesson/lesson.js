@@ -7,6 +7,7 @@ import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { Bar } from './bar.js';
 import { Below } from './below.js';
+import { Coming } from './coming.js';
 import { endingOf } from './ending.js';
 import { eventsOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
@@ -49,19 +50,9 @@ import { summaryOf } from './summary.js';
  */
 
 const AT_FIRST = ['bodies'];
-const PLAIN = ['bodies', 'rows', 'numbers']; // what of it is no chart
+const PLAIN = ['bodies', 'rows']; // what of it is no chart
 const FLAGS = [KEY, PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
-
-/**
- * A table of the page as the column of a lesson has room for it: figures by the method that is shown alone.
- * @param {HTMLTableElement} table
- */
-function narrowed(table) {
-  const copy = /** @type {HTMLTableElement} */ (table.cloneNode(true));
-  if (copy.classList.contains('by-method')) for (const row of copy.rows) while (row.cells.length > 2) row.deleteCell(2);
-  return copy;
-}
 
 export class Lesson {
   at = -1;
@@ -91,6 +82,7 @@ export class Lesson {
     this.root = make('section', { className: 'lesson', ariaLabel: text('lesson.lesson') }, column, this.spoken);
     this.bar = new Bar(this);
     this.below = new Below(page);
+    this.awaited = new Coming(page);
     this.second = new Second(page);
     this.first = new First(page);
     const word = make('span', { className: 'lesson-word', textContent: text('lesson.back') });
@@ -121,7 +113,7 @@ export class Lesson {
     this.page.opening.question = this.heading; // to which one skips
     for (const { stage } of Object.values(this.page.views)) if ('striker' in stage) stage.striker = null; // no hand
     root.querySelector('.topbar h1')?.after(this.bar.root);
-    this.page.waiter.place = this.bar.root; // and not over what is asked
+    this.awaited.over(this.bar.root); // where it is not over what is asked
     root.append(this.root, this.moves);
     if (this.flags.includes(PROJECTOR)) this.bar.projector.turn(true);
   }
@@ -200,6 +192,7 @@ export class Lesson {
   enter(at, focus = true) {
     const { page, progress, record } = this;
     this.question?.chart?.remove();
+    const first = this.at < 0;
     this.at = Math.min(Math.max(at, 0), record.steps.length - 1);
     progress.far = Math.max(progress.far, this.at);
     this.coming = true;
@@ -214,12 +207,15 @@ export class Lesson {
     this.second.want(beside && Object.keys(beside).length ? { ...this.#settings, ...beside } : null);
     page.goTo(this.#settings, (frame) => {
       if (frame && own === this.at) this.#arrive(frame);
+      else this.awaited.end();
     });
+    if (this.coming) this.awaited.begin(first);
     page.history.write();
   }
   /** @param {Frame} frame  of this step */
   #arrive(frame) {
     this.coming = false;
+    this.awaited.over(this.bar.root);
     this.first.lay(this.at, (this.sliders ?? []).length > 0);
     this.load(frame);
     this.below.show(this.below.names, true);
@@ -262,7 +258,7 @@ export class Lesson {
     const open = question && !question.done;
     const sums = this.step.parts.filter(({ kind }) => kind === 'summary').map((part) => summaryOf(this, part));
     const nodes = !open && this.#laid ? elementsOf(this.#after.nodes ?? []) : [];
-    this.tail?.replaceChildren(...nodes, ...sums, ...(open ? [] : this.#numbers()));
+    this.tail?.replaceChildren(...nodes, ...sums);
     this.back.disabled = at === 0;
     this.page.root.classList.toggle('last-step', last); // which has other ways to go on
     this.onwards.textContent = text(open ? 'lesson.skip' : 'lesson.next');
@@ -272,14 +268,6 @@ export class Lesson {
   /** What a sketch explains, it explains beside the rod. */
   get #laid() {
     return !(this.question instanceof Sketch) || this.question.laid;
-  }
-  /** The figures of the impact, which are no riddle any more. */
-  #numbers() {
-    if (!this.#shown.includes('numbers') || this.coming || !this.page.frame) return [];
-    const tables = [...this.page.story.numbers.querySelectorAll('table')].map(narrowed);
-    const root = make('div', { className: 'lesson-scroll', role: 'group', tabIndex: 0 }, ...tables);
-    root.ariaLabel = text('lesson.numbers');
-    return [root];
   }
   /** What is seen below the picture, and which sliders. */
   arrange() {
@@ -389,7 +377,6 @@ export class Lesson {
     this.second.lay(!this.#closed);
     this.page.controls.lead(this.sliders ?? []);
     this.question?.load?.(frame);
-    if (this.#shown.includes('numbers')) this.#follow();
   }
   /** @param {number} t */
   show(t) {

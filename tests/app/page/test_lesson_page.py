@@ -344,3 +344,54 @@ def test_what_is_waited_for_does_not_stand_over_the_question(open_page, size):
     page.evaluate(WAITS)
     expect(page.tab.locator(".waiting")).to_be_visible()
     assert not page.evaluate(COVERED)
+
+
+class Held:
+    """What the server says, held back from when it is told to until it is let go."""
+
+    def __init__(self, tab):
+        self.holds = False
+        self.kept = []
+        tab.route_web_socket(re.compile("/ws"), self._between)
+
+    def _between(self, browser):
+        server = browser.connect_to_server()
+        server.on_message(lambda said: self.kept.append((browser, said)) if self.holds else browser.send(said))
+
+    def let_go(self) -> None:
+        self.holds = False
+        for browser, said in self.kept:
+            browser.send(said)
+        self.kept.clear()
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (390, 844)])
+def test_the_picture_of_another_step_does_not_stand_beside_a_question(open_page, size):
+    page = open_page("", own=True, size=size)
+    held = Held(page.tab)
+
+    def fetched(route):  # the page has its first picture by then, which is not that of the lesson
+        held.holds = True
+        route.continue_()
+
+    page.tab.route("**/lessons/centre-of-percussion*", fetched)
+    page.tab.goto(f"http://{page.address}/?lesson=centre-of-percussion&step=4")
+    for heading in ("Let the lower end stand still", "What does the pin do?"):
+        expect(page.tab.get_by_role("heading", name=heading)).to_be_visible()
+        expect(page.tab.locator(".waiting")).to_have_text("Solving …")
+        stages, waiting, asked = (page.tab.locator(each) for each in (".stages", ".waiting", ".lesson-asked"))
+        for part in (stages, page.tab.locator(".player")):
+            expect(part).to_be_hidden()
+        assert asked.evaluate("(root) => root.inert")
+        above, below = stages.bounding_box(), waiting.bounding_box()
+        assert above == pytest.approx(below)  # where the picture will be
+        page.tab.keyboard.press("Space")
+        assert page.evaluate("() => strikewave.page.player.t") == 0
+        held.let_go()
+        ready(page)
+        expect(waiting).to_be_hidden()
+        expect(stages).to_be_visible()
+        assert not asked.evaluate("(root) => root.inert")
+        if heading.startswith("Let"):
+            held.holds = True
+            button(page, "Skip →").click()
