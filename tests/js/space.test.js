@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { label, unlabelled } from '../../app/static/space/arrows.js';
+import { arrow, label, unlabelled } from '../../app/static/space/arrows.js';
 import { leanOf, longestSide, LOOKS, turnedBy } from '../../app/static/space/hands.js';
 import { coneOf, coneSeen, givenAt, movingAt } from '../../app/static/space/impulse.js';
 import { cross, dot } from '../../app/static/space/vectors.js';
@@ -122,4 +122,24 @@ test('words stay within the sides of the picture', () => {
   label(c, 'cone of friction', [100, 30], [-1, 0]); // written to the left, from its right end
   label(c, 'cone of friction', [100, 90], [1, 0]);
   assert.deepEqual(seen, [156, 44]); // and off the edge
+});
+
+test('an arrow has a pale edge, by which it is seen on a dark body', () => {
+  const drawn = [];
+  const idle = ['beginPath', 'moveTo', 'lineTo', 'closePath', 'fill'].map((name) => [name, () => {}]);
+  const c = { ...Object.fromEntries(idle), strokeStyle: '#33475b' };
+  arrow(
+    {
+      ...c,
+      stroke() {
+        drawn.push([this.strokeStyle, this.lineWidth]);
+      },
+    },
+    [0, 0],
+    [30, 0],
+    2,
+  );
+  const [[edge, wide], line] = drawn;
+  assert.deepEqual([edge, line], ['#ffffff', ['#33475b', 2]]);
+  assert.ok(wide >= 4);
 });

@@ -1,6 +1,6 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { headOf, make, rowOf } from '../browser/dom.js';
-import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../frame/story.js';
+import { contactHead, Warnings, Events, headed, heading, lookCloser, noteOf, showEnergy } from '../frame/story.js';
 import { times, unitOfTime } from '../clock/times.js';
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
@@ -92,8 +92,8 @@ export class Story {
     this.asks = heading();
     this.root.append(warningsHeading, warnings, this.asks, this.match);
     this.root.append(heading(text('story.energy')), this.energy);
-    this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
-    this.numbers.append(heading(text('story.after')), scrolled(this.figures), this.trust);
+    this.numbers = make('div', { className: 'story' }, ...headed(text('story.contacts'), this.table));
+    this.numbers.append(...headed(text('story.after'), this.figures), this.trust);
   }
   /** @param {AxialFrame} frame */
   load(frame) {

@@ -1,7 +1,7 @@
 // What happens to a struck beam, in words and figures, tied to the moment shown.
 import { between } from '../charts/scale.js';
 import { headOf, make, rowOf } from '../browser/dom.js';
-import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../frame/story.js';
+import { contactHead, Warnings, Events, headed, heading, lookCloser, noteOf, showEnergy } from '../frame/story.js';
 import { unitOfTime } from '../clock/times.js';
 import { duration, figures, prefixed, signed, speed } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
@@ -43,8 +43,8 @@ export class BeamStory {
     this.root.append(this.whyHeading, this.why, this.span, this.warnings.heading, this.warnings.list);
     this.went = heading();
     this.root.append(this.went, this.energy);
-    this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
-    this.numbers.append(heading(text('story.after')), scrolled(this.answers), this.beside, this.source);
+    this.numbers = make('div', { className: 'story' }, ...headed(text('story.contacts'), this.table));
+    this.numbers.append(...headed(text('story.after'), this.answers), this.beside, this.source);
   }
   /** @param {Shown} frame */
   question({ contacts }) {

@@ -43,6 +43,21 @@ export const rowOf = (cells, properties = {}) =>
   make('tr', properties, ...cells.map((cell) => make('td', {}, cell instanceof Node ? cell : unbroken(String(cell)))));
 
 /**
+ * What may be wider than its room; where it is, keys scroll it, too.
+ * @param {HTMLElement} element
+ * @param {string} ariaLabel
+ */
+export function scrolled(element, ariaLabel) {
+  const root = make('div', { className: 'scroll', role: 'group', ariaLabel }, element);
+  const sized = new ResizeObserver(() => {
+    if (root.scrollWidth > root.clientWidth) root.tabIndex = 0;
+    else root.removeAttribute('tabindex');
+  });
+  for (const each of [root, element]) sized.observe(each);
+  return root;
+}
+
+/**
  * Buttons of which one is pressed, as a group.
  * @param {string} ariaLabel
  * @param {string[]} names

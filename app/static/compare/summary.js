@@ -1,7 +1,7 @@
 // Kept solutions beside the one that is shown, in the story and among the numbers.
 import { KEPT } from '../charts/styles.js';
 import { headOf, make, rowOf } from '../browser/dom.js';
-import { heading, scrolled } from '../frame/story.js';
+import { headed, heading } from '../frame/story.js';
 import { text } from '../text/catalogue.js';
 import { bound, comparedOf, difference, leastSaid, sentences, sideBySide, written } from './figures.js';
 import { differing, lineOf } from '../form/settings.js';
@@ -106,8 +106,7 @@ export class Summary {
     this.numbers = make(
       'section',
       { className: 'story compared', hidden: true },
-      heading(text('compare.title')),
-      scrolled(this.table),
+      ...headed(text('compare.title'), this.table),
     );
   }
   /**

@@ -2,7 +2,7 @@
 import { figures, percent, unbroken } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { changesOf } from '../form/settings.js';
-import { columnHead, make } from '../browser/dom.js';
+import { columnHead, make, scrolled } from '../browser/dom.js';
 
 /** @import { Energies, Frame } from '../messages.js' */
 
@@ -13,8 +13,12 @@ const LEAST_SHARE = 5e-5; // of the energy, that is worth a word
 /** @param {string} [textContent] */
 export const heading = (textContent = '') => make('h2', { textContent });
 
-/** @param {HTMLElement} element */
-export const scrolled = (element) => make('div', { className: 'scroll' }, element);
+/**
+ * A table below its heading.
+ * @param {string} title
+ * @param {HTMLElement} table
+ */
+export const headed = (title, table) => [heading(title), scrolled(table, title)];
 
 /** Events in the order of time; the latest is marked while the clock runs. */
 export class Events {

@@ -1,6 +1,6 @@
 // What happens in an impact on a mechanism, one event after the other, and what its joints have borne.
 import { headOf, make, rowOf } from '../browser/dom.js';
-import { heading, scrolled } from '../frame/story.js';
+import { headed } from '../frame/story.js';
 import { family, text } from '../text/catalogue.js';
 import { duration, engineering, figures, speed } from '../text/format.js';
 import { jointOf, linkOf } from '../text/words.js';
@@ -91,7 +91,7 @@ export function mechanismReasons(frame) {
 export class Joints {
   constructor() {
     this.table = make('table', { className: 'figures' });
-    this.root = make('div', { hidden: true }, heading(text('beam.mechanism.joints')), scrolled(this.table));
+    this.root = make('div', { hidden: true }, ...headed(text('beam.mechanism.joints'), this.table));
   }
   /** @param {MechanismFrame} frame */
   load({ main, mechanism }) {

@@ -1,6 +1,6 @@
 // A dropped body: its height over time, bounce after bounce, what each gives back, and when it rests.
 import { Chart } from '../charts/chart.js';
-import { headOf, make, rowOf } from '../browser/dom.js';
+import { headOf, make, rowOf, scrolled } from '../browser/dom.js';
 import { SECONDS } from '../clock/times.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, length } from '../text/format.js';
@@ -69,7 +69,7 @@ class Bounces extends Panel {
       ...{ xUnit: 'm/s', unit: '', y: [0, 1.05], points: true },
     });
     this.table = make('table', { className: 'methods' });
-    this.result = make('div', {}, this.path.root, this.each.root, make('div', { className: 'scroll' }, this.table));
+    this.result = make('div', {}, this.path.root, this.each.root, scrolled(this.table, text('bounces.heading')));
     this.root.append(form, this.said, this.notes, this.result);
   }
   /**

@@ -1,5 +1,5 @@
 // This impact by every method, in a table.
-import { make, rowOf } from '../browser/dom.js';
+import { make, rowOf, scrolled } from '../browser/dom.js';
 import { figures, localised } from '../text/format.js';
 import { described, family, leftOut, methodOf, said, text } from '../text/catalogue.js';
 
@@ -40,7 +40,7 @@ class Methods {
     this.button = make('button', { type: 'button', textContent: text('methods.button') });
     this.said = make('p', { className: 'help' });
     this.table = make('table', { className: 'methods all-methods' });
-    const scroll = make('div', { className: 'scroll' }, this.table);
+    const scroll = scrolled(this.table, text('methods.heading'));
     const heading = make('h2', { textContent: text('methods.heading') });
     this.root = make('section', { className: 'analysis', hidden: true }, heading, this.said, scroll);
     page.model.on('methods', () => this.fill());

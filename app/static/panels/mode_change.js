@@ -1,5 +1,5 @@
 // A mass joins a link of finite elements on a node: what projections make of it, from its modes to those of both.
-import { headOf, make, rowOf, segments } from '../browser/dom.js';
+import { headOf, make, rowOf, scrolled, segments } from '../browser/dom.js';
 import { brief, figures } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
 import { Panel } from './panel.js';
@@ -47,7 +47,7 @@ class ModeChange extends Panel {
       (name) => text(name === 'velocities' ? 'mode_change.velocities' : 'mode_change.coordinates'),
     );
     this.table = make('table', { className: 'methods' });
-    this.result = make('div', {}, this.pick.root, make('div', { className: 'scroll' }, this.table));
+    this.result = make('div', {}, this.pick.root, scrolled(this.table, text('mode_change.heading')));
     this.root.append(this.said, this.result, make('p', { className: 'help', textContent: text('mode_change.help') }));
   }
   get empty() {

@@ -1,7 +1,7 @@
 // The natural modes of what is struck: shapes, frequencies and masses, and which of them rings after the impact.
 import { Figure } from '../charts/figure.js';
 import { signOf } from '../charts/styles.js';
-import { headOf, make, rowOf, segments } from '../browser/dom.js';
+import { headOf, make, rowOf, scrolled, segments } from '../browser/dom.js';
 import { shownIn } from '../clock/times.js';
 import { family, named, said, text } from '../text/catalogue.js';
 import { engineering, figures, percent } from '../text/format.js';
@@ -76,7 +76,7 @@ class ModeShapes extends Panel {
       numbers: () => this.#numbers(name),
     });
     this.figure = new Figure('ringing', [part('shapes'), part('amplitudes')]);
-    const scroll = make('div', { className: 'scroll' }, this.table);
+    const scroll = scrolled(this.table, text('modes.heading'));
     const choices = make('div', { className: 'picks' }, this.pick.root, this.many.root);
     const help = make('p', { className: 'help', textContent: text('modes.help') });
     const sides = make('div', { className: 'sides' }, this.figure.root, make('div', {}, scroll, help));
@@ -97,6 +97,14 @@ class ModeShapes extends Panel {
     return (this.of === 'together' && sets.together) || sets.alone;
   }
   /**
+   * The other theory, of which a lesson does not speak.
+   * @param {Found} found
+   * @param {Modes} set
+   */
+  #beside({ beside, sets }, set) {
+    return set === sets.alone && !this.page.opening.teaching.on ? beside : null;
+  }
+  /**
    * @param {Found | null} found
    * @param {boolean} fresh
    */
@@ -113,7 +121,7 @@ class ModeShapes extends Panel {
     this.pick.show(alone ? 'alone' : 'together');
     this.many.show(String(this.count));
     this.#draw(found, set);
-    const beside = alone ? found.beside : null;
+    const beside = this.#beside(found, set);
     const columns = ['number', 'frequency', 'period', 'mass', ...(alone ? ['share'] : [])].map((name) => COLUMNS[name]);
     if (beside) columns.splice(2, 0, byTheory(beside));
     const most = found.share.indexOf(Math.max(...found.share));
@@ -130,13 +138,14 @@ class ModeShapes extends Panel {
    * @param {Found} found
    * @param {Modes} set
    */
-  #draw({ amplitude, beside, place, struck, sets, time: given, unit: own }, set) {
+  #draw(found, set) {
+    const { amplitude, place, struck, sets, time: given, unit: own } = found;
     const end = given[given.length - 1];
     const [factor, unit] = shownIn(own, end);
     const time = given.map((t) => factor * t);
     this.factor = factor;
     this.#fill('shapes', place, set, set.shape);
-    const other = set === sets.alone && beside;
+    const other = this.#beside(found, set);
     this.#fill('beside', place, set, other ? other.shape : [], other ? byTheory(other) : undefined);
     this.figure?.range('modes-shapes-x', [0, place[place.length - 1]]);
     this.figure?.range('modes-shapes-y', [-ROOM, ROOM]);

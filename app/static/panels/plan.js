@@ -1,5 +1,5 @@
 // Which model is enough?: the smallest adequate model for a question, and where the impact lies among all others.
-import { headOf, make, rowOf } from '../browser/dom.js';
+import { headOf, make, rowOf, scrolled } from '../browser/dom.js';
 import { family, leftOut, modelled, named, said, text } from '../text/catalogue.js';
 import { pretty, share } from '../text/format.js';
 import { RegimeMap } from './regime_map.js';
@@ -88,7 +88,7 @@ class Needs {
     page.model.on('map_point', () => this.go());
     const asked = make('label', { className: 'part' }, text('plan.asked'), this.question);
     const form = make('div', { className: 'record-form' }, asked, this.tolerance.root);
-    const scroll = make('div', { className: 'scroll' }, this.table);
+    const scroll = scrolled(this.table, text('plan.heading'));
     const left = make('div', { className: 'plan-answer' }, form, this.said, scroll, this.reason);
     const sides = make('div', { className: 'sides' }, left, this.map.root);
     const heading = make('h2', { textContent: text('plan.heading') });

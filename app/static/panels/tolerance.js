@@ -1,5 +1,5 @@
 // A tolerance or a computing time instead of a method: what was chosen, why, and how near it really is.
-import { headOf, make, rowOf } from '../browser/dom.js';
+import { headOf, make, rowOf, scrolled } from '../browser/dom.js';
 import { figures, percentDecade, share } from '../text/format.js';
 import { described, family, said, text } from '../text/catalogue.js';
 import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
@@ -70,7 +70,7 @@ class Tolerance extends Panel {
       make('label', { className: 'part' }, this.shows, text('tolerance.follow')),
       this.stopper.root,
     );
-    this.root.append(form, this.said, this.scale, this.why, make('div', { className: 'scroll' }, this.table));
+    this.root.append(form, this.said, this.scale, this.why, scrolled(this.table, text('tolerance.heading')));
     this.choice();
   }
   // Whether the page shows what is chosen.

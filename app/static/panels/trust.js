@@ -1,6 +1,6 @@
 // How far to trust an impact on a beam: the same impact many times with tiny changes; its band goes behind the curves.
 import { Figure } from '../charts/figure.js';
-import { headOf, make, rowOf } from '../browser/dom.js';
+import { headOf, make, rowOf, scrolled } from '../browser/dom.js';
 import { unitOfTime } from '../clock/times.js';
 import { family, named, said, text } from '../text/catalogue.js';
 import { duration, engineering, figures, prefixed, scaled } from '../text/format.js';
@@ -78,7 +78,7 @@ export class Study {
     this.button = make('button', { type: 'button', textContent: this.texts.button });
     this.said = make('p', { className: 'help' });
     this.table = make('table', { className: 'methods' });
-    const scroll = make('div', { className: 'scroll' }, this.table);
+    const scroll = scrolled(this.table, this.texts.heading);
     this.root = make('section', { className: `analysis study-${name}`, hidden: true });
     this.root.append(make('h2', { textContent: this.texts.heading }), this.said, scroll);
     page.model.on(name, () => {

@@ -4,6 +4,21 @@
 /** @typedef {CanvasRenderingContext2D} Context */
 
 /**
+ * The line that was traced, with a pale edge by which it is seen on a body.
+ * @param {Context} c
+ * @param {number} wide
+ */
+export function edged(c, wide) {
+  const { strokeStyle } = c;
+  c.strokeStyle = PALE;
+  c.lineWidth = wide + 2.4;
+  c.stroke();
+  c.strokeStyle = strokeStyle;
+  c.lineWidth = wide;
+  c.stroke();
+}
+
+/**
  * @param {Context} c
  * @param {Point} from
  * @param {Point} to
@@ -15,11 +30,10 @@ export function arrow(c, from, to, wide) {
   /** @type {Point} */
   const way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
   const tip = Math.min(10, long);
-  c.lineWidth = wide;
   c.beginPath();
   c.moveTo(...from);
   c.lineTo(to[0] - way[0] * tip * 0.7, to[1] - way[1] * tip * 0.7);
-  c.stroke();
+  edged(c, wide);
   head(c, to, way, tip);
 }
 
@@ -36,6 +50,7 @@ export function head(c, [x, y], [dx, dy], long) {
   c.lineTo(x - dx * long - dy * long * 0.45, y - dy * long + dx * long * 0.45);
   c.lineTo(x - dx * long + dy * long * 0.45, y - dy * long - dx * long * 0.45);
   c.closePath();
+  edged(c, 0.1);
   c.fill();
 }
 
@@ -46,6 +61,7 @@ const EDGE = 6; // px between a label and the edge of the picture
 const LINE = 13; // pixels
 const ELSEWHERE = [0, 1, -1, 2, -2, 3, 4, 5]; // lines lower, where a label is in the way
 const ASIDE = [0, 1, -1]; // and of its own width to the right
+const PALE = '#ffffff';
 const PLATE = 'rgba(255,255,255,.8)'; // on which what lies on a body is read
 
 /**
@@ -106,7 +122,7 @@ export function label(c, text, [x, y], [dx, dy]) {
   c.textBaseline = Math.abs(dy) < 0.4 * long ? 'middle' : dy > 0 ? 'top' : 'bottom';
   c.save();
   c.lineWidth = 3;
-  c.strokeStyle = '#ffffff';
+  c.strokeStyle = PALE;
   const left = x + (6 * dx) / long;
   const [at, line, [l, t, r, b], onBody] = freed(c, text, left, y + (4 * dy) / long);
   if (onBody) {

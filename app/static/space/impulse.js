@@ -3,7 +3,7 @@ import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
-import { arrow, label } from './arrows.js';
+import { arrow, edged, label } from './arrows.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
 /** @import { Numbers, SpaceFrame, Vector } from '../messages.js' */
@@ -147,15 +147,14 @@ function drawCone(c, { x, y }, { end, outline }) {
     for (const [across, up] of points) c.lineTo(x + across, y - up);
   };
   c.strokeStyle = c.fillStyle = COLORS.modal;
-  c.lineWidth = 1.4;
   trace(outline);
   c.closePath();
   c.globalAlpha = PALE * globalAlpha;
   c.fill();
   c.globalAlpha = globalAlpha;
-  c.stroke();
+  edged(c, 1.4);
   trace(end);
-  c.stroke();
+  edged(c, 1.4);
 }
 
 /**

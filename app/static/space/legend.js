@@ -4,7 +4,7 @@ import { roundBelow } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
-import { arrow, head, label, measure } from './arrows.js';
+import { arrow, edged, head, label, measure } from './arrows.js';
 import { AXES } from './box.js';
 import { LONG } from './impulse.js';
 import { add, dot, size, times } from './vectors.js';
@@ -18,6 +18,7 @@ const FONT = letters(13);
 const PLACE = [12, 10]; // of the time
 const BUTTONS = [170, 34]; // pixels that they take at the upper right
 const RADIUS = 20; // pixels of the arc of a spin
+const [ORIGIN, AXIS] = [34, 24]; // pixels of the axes of the world from the lower left corner, and of each
 const HANDLE = 7; // pixels about a handle or a line
 const EDGE = 3; // pixels about a body
 const ARROW = 5; // pixels about an arrow
@@ -38,10 +39,9 @@ export function spinOf(c, stage, [x, y], spin, labelled, [ax, ay]) {
   const sweep = Math.max(Math.abs(seen) * 1.6 * Math.PI, 0.5);
   const start = 0.35 * Math.PI;
   const end = start + way * sweep;
-  c.lineWidth = 1.6;
   c.beginPath();
   c.arc(x, y, RADIUS, -start, -end, way > 0);
-  c.stroke();
+  edged(c, 1.6);
   head(c, [x + RADIUS * Math.cos(end), y - RADIUS * Math.sin(end)], [-way * Math.sin(end), -way * Math.cos(end)], 7);
   if (labelled) label(c, `${brief(size(spin))} rad/s`, [x + ax * (RADIUS + 8), y + ay * (RADIUS + 8)], [ax, ay]);
   const [dx, dy] = stage.flat(times(spin, (1.6 * RADIUS) / size(spin)));
@@ -81,6 +81,7 @@ export function corners(c, stage, t) {
     [width - BUTTONS[0] * larger, 0, width, BUTTONS[1] * larger],
     [0, height, width, Infinity], // below the picture
     [width, 0, Infinity, Infinity], // beside it, where the tracks are
+    [ORIGIN - AXIS, height - ORIGIN - AXIS, ORIGIN + AXIS, height - ORIGIN + AXIS],
     [
       width - 20 - Math.max(roundBelow((0.2 * width) / scale) * scale, 40 * larger),
       height - 34 * larger,
@@ -166,9 +167,9 @@ export function legend(c, stage, t, width, height) {
   c.textBaseline = 'top';
   c.fillText(timeOf(stage, t), ...placeOfTime(c, stage, t, width));
   /** @type {Point} */
-  const origin = [34, height - 34];
+  const origin = [ORIGIN, height - ORIGIN];
   ['x', 'y', 'z'].forEach((axis, i) => {
-    const [dx, dy] = [across[i] * 24, -up[i] * 24];
+    const [dx, dy] = [across[i] * AXIS, -up[i] * AXIS];
     if (Math.hypot(dx, dy) < 5) return;
     /** @type {Point} */
     const tip = [origin[0] + dx, origin[1] + dy];

@@ -1,6 +1,6 @@
 // One impulse between bodies in space: a sentence and the figures.
 import { make, rowOf } from '../browser/dom.js';
-import { Warnings, Events, heading, noteOf, scrolled } from '../frame/story.js';
+import { Warnings, Events, headed, heading, noteOf } from '../frame/story.js';
 import { pretty } from '../text/format.js';
 import { said, text } from '../text/catalogue.js';
 import { coneOf } from './impulse.js';
@@ -64,13 +64,7 @@ export class SpaceStory {
     this.warnings = new Warnings();
     this.root = make('div', { className: 'story' }, heading(text('story.events')), this.units);
     this.root.append(this.warnings.heading, this.warnings.list);
-    this.numbers = make(
-      'div',
-      { className: 'story' },
-      heading(text('story.after')),
-      scrolled(this.figures),
-      this.trust,
-    );
+    this.numbers = make('div', { className: 'story' }, ...headed(text('story.after'), this.figures), this.trust);
     const reached = (/** @type {number} */ t) => impulseAt(this.frame, t);
     this.events = new Events((t) => page.player.seek(t - page.player.start), reached, 1e-9);
   }

@@ -188,5 +188,11 @@ def test_the_modes_of_a_rod_and_of_a_beam(open_page):
     expect(panel.get_by_role("columnheader", name="by Euler–Bernoulli")).to_be_visible(timeout=LONG)
     expect(panel.locator("tbody tr").last).to_contain_text("23.63 kHz")
     page.wait("() => strikewave.page.analyses.modes.figure.model('beside').data.y.length === 6")
+    scroll = panel.locator(".scroll")
+    expect(scroll).not_to_have_attribute("tabindex", "0")
+    page.tab.set_viewport_size({"width": 390, "height": 844})
+    page.turn_to("Analysis")
+    expect(scroll).to_have_attribute("tabindex", "0")  # it is wider than its room, and keys scroll it
+    expect(scroll).to_have_accessible_name("The modes, and which of them rings")
     page.show_scene("two-balls")
     expect(panel).to_be_hidden()

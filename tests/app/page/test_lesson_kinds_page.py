@@ -222,6 +222,24 @@ def test_a_phone_has_charts_one_below_the_other(taught):
     assert findings(page) == []
 
 
+LAID = """() => [...strikewave.page.root.querySelectorAll('.lesson-row, .lesson-charts table')]
+  .some((each) => each.checkVisibility())"""
+HIDDEN = """() => [...strikewave.page.root.querySelectorAll('.lesson-charts .scroll')]
+  .some(({ clientWidth, scrollWidth }) => scrollWidth > clientWidth)"""
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+@pytest.mark.parametrize("lesson, step", [("a-ball-with-spin", 3), ("the-energy-left-ringing", 6)])
+def test_no_rule_of_access_is_broken_where_a_phone_is_full(open_page, language, lesson, step):
+    """A button half behind the moves; a table that no key scrolls, whose last column is out of sight."""
+    page = open_page(f"?lesson={lesson}&step={step}&language={language}", size=(390, 844), has_touch=True)
+    ready(page)
+    page.wait(LAID)
+    page.frames_pass(2)
+    assert findings(page) == []
+    assert not page.evaluate(HIDDEN)
+
+
 ARCS = """() => {
   const found = [];
   const context = strikewave.page.view.stage.canvas.getContext('2d');
