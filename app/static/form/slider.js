@@ -39,8 +39,8 @@ export class Slider {
     this.range.onchange = () => (this.held = false);
     this.range.onkeydown = (event) => this.#key(event);
     const label = make('label', { htmlFor: id, textContent: title });
-    const head = make('div', { className: 'field-head' }, label, input);
-    head.append(make('span', { className: 'unit', textContent: beside }));
+    const exact = make('span', { className: 'exact' }, input, make('span', { className: 'unit' }, beside));
+    const head = make('div', { className: 'field-head' }, label, exact);
     head.dataset.term = name;
     this.range.dataset.term = name;
     this.root = make('div', { className: `field field-${name}` }, head, wrong, this.range);

@@ -1,20 +1,9 @@
 """What the browser answers by itself while a slider moves, by the library's own kernels; the server follows at rest."""
 
-import math
-
 import pytest
 
-READY = "() => strikewave.page.own.answers !== null"
-STATE = """() => {
-  const { frame, own } = strikewave.page, { exact, duration, f0, exactMass, exactForce, match, prediction } = frame;
-  const { peakForce, contacts, restitution, energy, final, targetFinal, left, cutOff } = exact;
-  const arrays = Object.fromEntries(
-    Object.entries({ f0, exactMass, exactEnd: frame.exactEnd, exactWhole: frame.exactWhole ?? [] })
-      .map(([name, values]) => [name, [...values]]));
-  const figures = { duration, peakForce, contacts, restitution, energy, final, targetFinal, left, cutOff, match };
-  const shown = { own: own.made.has(frame), beside: Boolean(frame.other) };
-  return { ...shown, figures: { ...figures, prediction }, arrays, force: Math.max(...exactForce) };
-}"""
+from .moved import AT_REST, READY, STATE, arrays_alike, by_itself, figures_alike, flat, moved
+
 BESIDE = """() => {
   const { frame } = strikewave.page, { fieldForce, modalForce, modes, other, otherEnd, otherMass, step } = frame;
   const { contacts, cutOff, energy, final, left, name, peakForce, peakIndentation, restitution, targetFinal } = other;
@@ -30,36 +19,11 @@ CYCLE = """() => {
   const { frame } = strikewave.page;
   return Object.fromEntries(drawn.flatMap((name) => (name in frame ? [[name, [...frame[name]]]] : [])));
 }"""
-MOVE = """async ([name, values]) => {
-  const { page } = strikewave, { own } = page, seen = [];
-  for (const value of values) {
-    const before = own.count;
-    own.slow = own.resumes = 0; // however busy the machine is
-    page.controls.send(name, value);
-    for (let k = 0; own.count === before && k < 100; k++) await new Promise((done) => requestAnimationFrame(done));
-    seen.push([own.made.has(page.frame), page.frame.chosen[name], (page.frame.exact ?? page.frame.main).peakForce]);
-  }
-  return [seen, (STATE)()];
-}""".replace("STATE", STATE)
-MOVE_BOTH = MOVE.replace("()];", f"(), ({BESIDE})()];")
 CHOOSE = "(choice) => strikewave.page.choose(...choice)"
 ARRIVED = """(search) => {
   const { asked, history } = strikewave.page;
   return location.search === search && !asked && !history.going;
 }"""
-AT_REST = """([name, value]) => {
-  const { frame, own, changes } = strikewave.page;
-  return !own.made.has(frame) && frame.chosen[name] === value && !changes.asked;
-}"""
-
-
-def flat(value) -> list:
-    """Numbers and words of nested lists, in order; what there is none of is no number."""
-    if isinstance(value, dict):
-        return [each for key in sorted(value) for each in flat(value[key])]
-    if isinstance(value, list):
-        return [each for part in value for each in flat(part)]
-    return [math.nan if value is None else value]
 
 
 @pytest.mark.parametrize("query", ["?layout=opening", "?layout=laboratory", "?scene=free-rod"])
@@ -70,12 +34,8 @@ def test_what_the_browser_shows_is_what_the_server_answers(open_page, query, nam
     page = open_page(query)
     page.wait(READY)
     sent = page.quiet()["sent"]
-    seen, before = page.evaluate(MOVE, [name, values])
-    assert [[made, value] for made, value, _ in seen] == [[True, value] for value in values]
-    page.wait(AT_REST, [name, values[-1]])
-    after = page.evaluate(STATE)
-    assert before["own"] and not after["own"]
-    assert flat(before["figures"]) == pytest.approx(flat(after["figures"]), rel=1e-12, abs=1e-12, nan_ok=True)
+    ((before, after),) = moved(page, name, values, STATE)
+    figures_alike(before["figures"], after["figures"], 1e-12)
     for array, found in before["arrays"].items():
         assert found == pytest.approx(after["arrays"][array], abs=1e-6), array  # which the message has in 4 bytes
     assert before["force"] == pytest.approx(after["force"], rel=2e-3)  # at the instants that either draws
@@ -102,18 +62,10 @@ def test_what_the_browser_shows_is_what_the_server_answers(open_page, query, nam
 )
 def test_contact_laws_are_answered_alike(open_page, query, name, values):
     """Up to the tolerance of a step: the server solves with constants that differ in the last bit."""
-    page = open_page(query)
-    page.wait(READY)
-    seen, before = page.evaluate(MOVE, [name, values])
-    assert [[made, value] for made, value, _ in seen] == [[True, value] for value in values]
-    cycle = page.evaluate(CYCLE)
-    page.wait(AT_REST, [name, values[-1]])
-    after = page.evaluate(STATE)
-    assert before["own"] and not after["own"]
-    assert flat(before["figures"]) == pytest.approx(flat(after["figures"]), rel=1e-6, abs=1e-6, nan_ok=True)
+    (before, after), (cycle, there) = moved(open_page(query), name, values, STATE, CYCLE)
+    figures_alike(before["figures"], after["figures"], 1e-6)
     for array, found in before["arrays"].items():
         assert found == pytest.approx(after["arrays"][array], abs=1e-6), array
-    there = page.evaluate(CYCLE)
     assert sorted(cycle) == sorted(there)
     for array, found in there.items():
         assert cycle[array] == pytest.approx(found, rel=1e-3, abs=1e-3 * max(found)), array
@@ -147,15 +99,9 @@ def test_another_restitution_of_a_damped_contact_is_left_to_the_server(open_page
 )
 def test_the_method_beside_by_modes_is_answered_alike(open_page, query, name, values):
     """Up to rounding that chatter has made larger; a law's constants here and there differ in the last bit."""
-    page = open_page(query)
-    page.wait(READY)
-    seen, shown, before = page.evaluate(MOVE_BOTH, [name, values])
-    assert [[made, value] for made, value, _ in seen] == [[True, value] for value in values]
-    page.wait(AT_REST, [name, values[-1]])
-    after = page.evaluate(BESIDE)
-    assert shown["own"] and not page.evaluate(STATE)["own"]
+    ((before, after),) = moved(open_page(query), name, values, BESIDE)
     assert before["name"] == after["name"] == "modal"
-    assert flat(before["figures"]) == pytest.approx(flat(after["figures"]), rel=1e-6, abs=1e-6, nan_ok=True)
+    figures_alike(before["figures"], after["figures"], 1e-6)
     for array, found in before["arrays"].items():
         close = 2e-5 if array == "fieldForce" else 1e-6  # which the message has in two bytes
         assert found == pytest.approx(after["arrays"][array], abs=close * max(map(abs, found))), array
@@ -173,9 +119,8 @@ BENT = """() => {
   const cycle = ['cycleDepth', 'cycleLoading', 'cycleUnloading'];
   const arrays = [...drawn, ...cycle].filter((name) => name in frame && frame[name]);
   const all = Object.fromEntries(arrays.map((name) => [name, [...frame[name]]]));
-  return { own: strikewave.page.own.made.has(frame), law, figures: { ...figures, known, both }, arrays: all };
+  return { law, figures: { ...figures, known, both }, arrays: all };
 }"""
-MOVE_BENT = MOVE.replace(STATE, BENT)
 
 
 @pytest.mark.parametrize(
@@ -192,30 +137,18 @@ MOVE_BENT = MOVE.replace(STATE, BENT)
 )
 def test_what_is_struck_across_is_answered_alike(open_page, query, name, values):
     """Up to rounding, which many contacts have made larger."""
-    page = open_page(query)
-    page.wait(READY)
-    seen, before = page.evaluate(MOVE_BENT, [name, values])
-    assert [[made, value] for made, value, _ in seen] == [[True, value] for value in values]
-    page.wait(AT_REST, [name, values[-1]])
-    after = page.evaluate(BENT)
-    assert before["own"] and not after["own"] and before["law"] == after["law"]
+    ((before, after),) = moved(open_page(query), name, values, BENT)
+    assert before["law"] == after["law"]
     assert flat(before["figures"]) == pytest.approx(flat(after["figures"]), rel=1e-6, abs=1e-9, nan_ok=True)
-    assert sorted(before["arrays"]) == sorted(after["arrays"])
-    for array, found in before["arrays"].items():
-        large = max(map(abs, found))
-        assert found == pytest.approx(after["arrays"][array], abs=1e-4 * large), array  # of two bytes, some of them
+    arrays_alike(before["arrays"], after["arrays"], 1e-4)
 
 
 def test_what_acts_and_what_is_said_of_a_beam_follow_the_law_and_the_mass(open_page):
     page = open_page("?scene=xylophone-bar&layout=opening")
-    page.wait(READY)
     said = "() => [strikewave.page.frame.acting.toSorted(), strikewave.page.frame.span.half]"
-    moved = f"async (given) => {{ await ({MOVE_BENT})(given); return [({BENT})().own, ({said})()]; }}"
     for name, value, restores in (("law", "hunt-crossley", True), ("law", "hertz", False), ("mass_ratio", 2.0, False)):
-        own, before = page.evaluate(moved, [name, [value]])
-        page.wait(AT_REST, [name, value])
-        acting, half = page.evaluate(said)
-        assert own and before[0] == acting and ("restitution" in acting) == restores
+        ((before, (acting, half)),) = moved(page, name, [value], said)
+        assert before[0] == acting and ("restitution" in acting) == restores
         assert before[1] == pytest.approx(half, rel=1e-3)
 
 
@@ -257,9 +190,8 @@ def test_it_goes_on_without_a_server(open_page):
     page = open_page()
     page.wait(READY)
     page.evaluate("() => { strikewave.page.changes.server.lost = () => true; }")
-    seen, _ = page.evaluate(MOVE, ["mass_ratio", [0.5, 0.6]])
-    assert all(made for made, *_ in seen)
-    assert seen[0][2] != seen[1][2]
+    one, other = (by_itself(page, "mass_ratio", [value], STATE) for value in (0.5, 0.6))
+    assert one != other
 
 
 @pytest.mark.parametrize("query", ["?method=balance", "?scene=figure-5.12", "?scene=newtons-cradle"])
@@ -332,10 +264,10 @@ def test_undo_at_once_takes_the_slider_back(open_page):
 def test_undo_while_the_server_has_not_answered_goes_back_by_one(open_page):
     page = open_page()
     page.wait(READY)
-    page.evaluate(MOVE, ["mass_ratio", [0.9, 0.8]])
+    by_itself(page, "mass_ratio", [0.9, 0.8])
     page.wait(AT_REST, ["mass_ratio", 0.8])
     page.tab.wait_for_timeout(1200)  # another move then is a step of its own
-    page.evaluate(MOVE, ["mass_ratio", [0.5]])
+    by_itself(page, "mass_ratio", [0.5])
     page.tab.get_by_role("button", name="Undo").click()
     page.wait(AT_REST, ["mass_ratio", 0.8])
 
@@ -387,6 +319,6 @@ def test_histories_are_saved_once_the_server_has_solved_them(open_page):
     page = open_page()
     page.wait(READY)
     page.evaluate("() => { strikewave.page.changes.server.lost = () => true; }")
-    page.evaluate(MOVE, ["mass_ratio", [0.5]])
+    by_itself(page, "mass_ratio", [0.5])
     page.take("Histories (CSV)")
     assert page.tab.get_by_text("The server has not solved this yet").is_visible()

@@ -2,10 +2,10 @@
 
 import pytest
 
-from .test_own_answers_page import AT_REST, MOVE, READY, flat
+from .moved import READY, arrays_alike, figures_alike, moved
 
 CHAIN = """() => {
-  const { frame, own } = strikewave.page, { acting, chain, duration, exact, gaps, match, other, prediction } = frame;
+  const { frame } = strikewave.page, { acting, chain, duration, exact, gaps, match, other, prediction } = frame;
   const of = (solution) => {
     const { contacts, cutOff, diagnostics, energy, final, left, peakForce, restitution, targetFinal } = solution;
     const { steps, raw_peak_force } = diagnostics;
@@ -18,9 +18,8 @@ CHAIN = """() => {
   const arrays = Object.fromEntries(drawn.map(([name, values]) => [name, [...values]]));
   const names = [exact.name, other?.name];
   const said = [acting.toSorted(), peakIndentation, residualIndentation, stillTouching, names, frame.rigid];
-  return { own: own.made.has(frame), figures, arrays, said, force: Math.max(...frame.exactForce) };
+  return { figures, arrays, said, force: Math.max(...frame.exactForce) };
 }"""
-MOVE_CHAIN = MOVE.replace("()];", f"(), ({CHAIN})()];")
 
 
 @pytest.mark.parametrize(
@@ -46,21 +45,13 @@ MOVE_CHAIN = MOVE.replace("()];", f"(), ({CHAIN})()];")
     ],
 )
 def test_it_is_answered_as_the_server_does(open_page, query, name, values):
-    page = open_page(query)
-    page.wait(READY)
-    seen, _, before = page.evaluate(MOVE_CHAIN, [name, values])
-    assert [[made, value] for made, value, _ in seen] == [[True, value] for value in values]
-    page.wait(AT_REST, [name, values[-1]])
-    after = page.evaluate(CHAIN)
-    assert before["own"] and not after["own"] and before["said"] == after["said"]
-    close = 1e-11
+    ((before, after),) = moved(open_page(query), name, values, CHAIN)
+    assert before["said"] == after["said"]
     exact, there = before["figures"], after["figures"]
     other, beside = exact.pop("other"), there.pop("other")
-    assert flat(exact) == pytest.approx(flat(there), rel=close, abs=close, nan_ok=True)
-    assert flat(other) == pytest.approx(flat(beside), rel=1e-9, abs=1e-9, nan_ok=True)  # chatter enlarges rounding
-    assert sorted(before["arrays"]) == sorted(after["arrays"])
-    for array, found in before["arrays"].items():
-        assert found == pytest.approx(after["arrays"][array], abs=2e-6 * max(map(abs, found))), array
+    figures_alike(exact, there, 1e-11)
+    figures_alike(other, beside, 1e-9)  # chatter enlarges rounding
+    arrays_alike(before["arrays"], after["arrays"], 2e-6)
     assert before["force"] == pytest.approx(after["force"], rel=2e-3)  # at the instants that either draws
 
 

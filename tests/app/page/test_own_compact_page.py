@@ -2,10 +2,10 @@
 
 import pytest
 
-from .test_own_answers_page import AT_REST, READY, flat
+from .moved import READY, figures_alike, moved
 
 STATE = """() => {
-  const { frame, own } = strikewave.page, { acting, duration, exact, forceUnit, match, other, prediction } = frame;
+  const { frame } = strikewave.page, { acting, duration, exact, forceUnit, match, other, prediction } = frame;
   const figuresOf = ({ contacts, cutOff, energy, final, left, peakForce, peakIndentation, ...more }) => {
     const { residualIndentation, restitution, targetFinal, stillTouching, diagnostics } = more;
     const { raw_contacts, raw_peak_force, delivered_restitution, steps } = diagnostics;
@@ -19,23 +19,11 @@ STATE = """() => {
   const cycle = 'cycleDepth cycleLoading cycleUnloading blowDepth blowForce touchRadius'.split(' ');
   const names = [...drawn, ...cycle, 'touchPressure', 'touchFlow'].filter((name) => frame[name]);
   return {
-    own: own.made.has(frame),
     figures: { exact: figuresOf(exact), other: figuresOf(other), same, prediction },
     acting: acting.toSorted(),
     arrays: Object.fromEntries(names.map((name) => [name, [...frame[name]]])),
   };
 }"""
-MOVE = """async ([name, values]) => {
-  const { page } = strikewave, { own } = page, seen = [];
-  for (const value of values) {
-    const before = own.count;
-    own.slow = own.resumes = 0; // however busy the machine is
-    page.controls.send(name, value);
-    for (let k = 0; own.count === before && k < 100; k++) await new Promise((done) => requestAnimationFrame(done));
-    seen.push([own.made.has(page.frame), page.frame.chosen[name]]);
-  }
-  return [seen, (STATE)()];
-}""".replace("STATE", STATE)
 
 
 @pytest.mark.parametrize(
@@ -57,22 +45,15 @@ MOVE = """async ([name, values]) => {
     ],
 )
 def test_they_are_answered_as_the_server_does(open_page, query, name, values):
-    page = open_page(query)
-    page.wait(READY)
-    seen, before = page.evaluate(MOVE, [name, values])
-    assert seen == [[True, value] for value in values]
-    page.wait(AT_REST, [name, values[-1]])
-    after = page.evaluate(STATE)
-    assert before["own"] and not after["own"] and before["acting"] == after["acting"]
-    assert flat(before["figures"]) == pytest.approx(flat(after["figures"]), rel=1e-11, abs=1e-11, nan_ok=True)
+    ((before, after),) = moved(open_page(query), name, values, STATE)
+    assert before["acting"] == after["acting"]
+    figures_alike(before["figures"], after["figures"], 1e-11)
     gone = {name for name in after["arrays"] if name.startswith("touch")} if name == "law" else set()
     assert before["arrays"].keys() == after["arrays"].keys() - gone  # of another law it does not know the faces
     for array, found in before["arrays"].items():
         there = after["arrays"][array]
         if len(found) == len(there):  # else the server has thinned it
-            assert found == pytest.approx(there, abs=1e-4 * max(1e-9, *map(abs, there))), (
-                array
-            )  # of two bytes, some of them
+            assert found == pytest.approx(there, abs=1e-4 * max(1e-9, *map(abs, there))), array  # some of two bytes
 
 
 @pytest.mark.parametrize("query, value", [("?scene=two-balls", "linear"), ("?scene=figure-3.8", "power")])

@@ -2,10 +2,10 @@
 
 import pytest
 
-from .test_own_answers_page import AT_REST, MOVE, READY, STATE, flat
+from .moved import READY, STATE, arrays_alike, figures_alike, moved
 
 BESIDE = """() => {
-  const { frame, own } = strikewave.page, { fieldDisplacement, fieldStress, fieldVelocity, other, shapes } = frame;
+  const { frame } = strikewave.page, { fieldDisplacement, fieldStress, fieldVelocity, other, shapes } = frame;
   const { contacts, cutOff, energy, final, left, model, peakForce, peakIndentation, restitution, targetFinal } = other;
   const { initial_impulse, peak_root_force, steps } = other.diagnostics;
   const { sudden, waves, travelling, byLaw, stillTouching, residualIndentation } = other;
@@ -14,9 +14,8 @@ BESIDE = """() => {
   const drawn = { otherMass: frame.otherMass, otherEnd: frame.otherEnd, fieldDisplacement, fieldStress, fieldVelocity };
   const arrays = Object.fromEntries(Object.entries(drawn).map(([name, values]) => [name, [...values]]));
   const said = [model, sudden, waves, travelling, byLaw, stillTouching, frame.acting.toSorted(), shapes.fieldStress];
-  return { own: own.made.has(frame), figures: { ...figures, numbers }, arrays, said };
+  return { figures: { ...figures, numbers }, arrays, said };
 }"""
-MOVE_BOTH = MOVE.replace("()];", f"(), ({BESIDE})()];")
 
 
 @pytest.mark.parametrize(
@@ -32,20 +31,11 @@ MOVE_BOTH = MOVE.replace("()];", f"(), ({BESIDE})()];")
     ],
 )
 def test_it_is_answered_as_the_server_does(open_page, query, name, values):
-    page = open_page(query)
-    page.wait(READY)
-    seen, state, before = page.evaluate(MOVE_BOTH, [name, values])
-    assert [[made, value] for made, value, _ in seen] == [[True, value] for value in values]
-    page.wait(AT_REST, [name, values[-1]])
-    after, there = page.evaluate(BESIDE), page.evaluate(STATE)
-    assert before["own"] and not after["own"] and before["said"] == after["said"]
-    close = 1e-6 if "law" in query else 1e-11  # of waves through a law, the tolerance of a step
-    assert flat(state["figures"]) == pytest.approx(flat(there["figures"]), rel=close, abs=close, nan_ok=True)
-    close = 1e-9 if "law" in query else 1e-11  # for as long as the waves say
-    assert flat(before["figures"]) == pytest.approx(flat(after["figures"]), rel=close, abs=close, nan_ok=True)
-    for array, found in before["arrays"].items():
-        large = max(map(abs, found))
-        assert found == pytest.approx(after["arrays"][array], abs=1e-4 * large), array  # of two bytes, some of them
+    (state, there), (before, after) = moved(open_page(query), name, values, STATE, BESIDE)
+    assert before["said"] == after["said"]
+    figures_alike(state["figures"], there["figures"], 1e-6 if "law" in query else 1e-11)  # the tolerance of a step
+    figures_alike(before["figures"], after["figures"], 1e-9 if "law" in query else 1e-11)  # for as long as waves say
+    arrays_alike(before["arrays"], after["arrays"], 1e-4)
 
 
 def test_by_a_law_another_model_may_answer_which_is_left_to_the_server(open_page):

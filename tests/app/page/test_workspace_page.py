@@ -355,3 +355,23 @@ def test_two_balls_are_balls(open_page):
     sizes = page.evaluate("() => [strikewave.page.axial.stage.striker.drawn.width]")
     assert sizes[0] > 20
     assert page.header("target")["radius"] / page.header("impactor")["radius"] == pytest.approx(1.5)
+
+
+def test_a_unit_stands_beside_its_number_however_narrow_the_column_is(open_page):
+    """As where a scroll bar takes of its width, which the browser of the tests has none of."""
+    page = open_page()
+    apart = page.evaluate(
+        """() => {
+          const { root } = strikewave.page.controls, found = [];
+          const heads = [...root.querySelectorAll('.field-head')].filter((head) => head.checkVisibility());
+          for (let width = 200; width <= 400; width += 5) {
+            root.style.width = `${width}px`;
+            for (const head of heads) {
+              const [number, unit] = ['.number', '.unit'].map((each) => head.querySelector(each));
+              if (unit.offsetWidth && unit.offsetTop > number.offsetTop + 10) found.push([width, head.textContent]);
+            }
+          }
+          return [heads.length, found];
+        }"""
+    )
+    assert apart[0] > 3 and apart[1] == []

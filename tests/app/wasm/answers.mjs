@@ -1,18 +1,15 @@
-// Answers of the module for impacts that are read from standard input, on standard output.
-import { readFileSync } from 'node:fs';
-const [, , module, kernels] = process.argv;
-const { kernelsOf } = await import(kernels);
-const { chainImpact } = await import(kernels.replace('kernels.js', 'chain_kernel.js'));
-const { balanceImpact } = await import(kernels.replace('kernels.js', 'balance.js'));
-const { ofFrame } = await import(kernels.replace('kernels.js', 'modal.js'));
-const found = await kernelsOf(readFileSync(module));
+// What the module, of these bytes, answers to impacts: the same for every engine.
+import { balanceImpact } from '../../../app/static/wasm/balance.js';
+import { chainImpact } from '../../../app/static/wasm/chain_kernel.js';
+import { kernelsOf } from '../../../app/static/wasm/kernels.js';
+import { ofFrame } from '../../../app/static/wasm/modal.js';
 
 const drawn = ({ waveTime, wave, forceTime, force, mass, end, whole }) => ({
   ...{ wave_time: [...waveTime], wave: [...wave], force_time: [...forceTime], force: [...force] },
   ...{ mass: [...mass], end: [...end], whole: [...whole] },
 });
 
-function rod([beta, reflection]) {
+function rod(found, [beta, reflection]) {
   const impact = found.rod(beta, reflection);
   if (!impact) return {};
   const { apart, contacts, duration, energy, final, histories, impulse, target, compressing } = impact;
@@ -20,7 +17,7 @@ function rod([beta, reflection]) {
   return { ...drawn(histories), out, contacts: contacts.flatMap((c) => [c.start, c.end, c.push, c.after, c.peak]) };
 }
 
-function law([beta, reflection, name, constants, whole, asked]) {
+function law(found, [beta, reflection, name, constants, whole, asked]) {
   const impact = found.law(beta, reflection, { name, constants }, asked);
   if (!impact) return {};
   const { apart, compressing, contacts, cycle, dissipated, energy, final, histories, impulse, target } = impact;
@@ -32,7 +29,7 @@ function law([beta, reflection, name, constants, whole, asked]) {
   return { ...listed, ...drawn(histories), ...path };
 }
 
-function modes([beta, reflection, name, constants, count, touching, duration, kind]) {
+function modes(found, [beta, reflection, name, constants, count, touching, duration, kind]) {
   const of = kind === 'given' ? ofFrame(count) : undefined;
   const impact = found.modes(beta, reflection, { name, constants }, count, touching, duration, kind, of);
   if (!impact) return {};
@@ -41,7 +38,7 @@ function modes([beta, reflection, name, constants, count, touching, duration, ki
   return { ...figures, contacts: rows, force: [...force], mass: [...mass], end: [...end] };
 }
 
-function beam([struck, name, constants]) {
+function beam(found, [struck, name, constants]) {
   const infinite = (value) => value ?? Infinity;
   const { rigidMass, whole, ...rest } = struck;
   const given = { ...rest, rigidMass: infinite(rigidMass), whole: infinite(whole) };
@@ -54,14 +51,14 @@ function beam([struck, name, constants]) {
   return { ...figures, ...lists, contacts: rows };
 }
 
-function spring([mass, carried, stiffness, duration]) {
+function spring(found, [mass, carried, stiffness, duration]) {
   const impact = found.spring(mass, carried, stiffness, duration);
   if (!impact) return {};
   const lists = Object.entries(impact).map(([each, value]) => [each, value.length ? [...value] : value]);
   return Object.fromEntries(lists);
 }
 
-function compact([mass, whole, pressed, sine]) {
+function compact(found, [mass, whole, pressed, sine]) {
   const impact = found.compact(mass, whole ?? Infinity, pressed, sine);
   if (!impact) return {};
   const lists = Object.entries(impact).map(([each, value]) => [each, value.length ? [...value] : value]);
@@ -70,7 +67,7 @@ function compact([mass, whole, pressed, sine]) {
   return { ...Object.fromEntries(lists), cycle: path };
 }
 
-function chain([rods, kinds, gaps, asked, mass, end]) {
+function chain(found, [rods, kinds, gaps, asked, mass, end]) {
   const impact = chainImpact(found, rods, { kinds, gaps, asked }, mass, end);
   if (!impact) return {};
   const { waves, ...rest } = impact;
@@ -78,14 +75,17 @@ function chain([rods, kinds, gaps, asked, mass, end]) {
   return { ...Object.fromEntries(lists), waves: waves.map((wave) => wave.map((values) => [...values])) };
 }
 
-function balance([made, duration]) {
+function balance(found, [made, duration]) {
   const impact = balanceImpact(found, made, duration);
   if (!impact) return {};
   const lists = Object.entries(impact).map(([each, value]) => [each, value?.length ? [...value] : value]);
   return Object.fromEntries(lists);
 }
 
-const given = JSON.parse(readFileSync(0, 'utf8'));
-const each = { rod, law, modes, beam, spring, compact, chain, balance };
-const answers = Object.entries(each).map(([name, one]) => [name, (given[name] ?? []).map(one)]);
-console.log(JSON.stringify(Object.fromEntries(answers)));
+const KINDS = { rod, law, modes, beam, spring, compact, chain, balance };
+
+export async function answersOf(bytes, given) {
+  const found = await kernelsOf(bytes);
+  const answered = ([name, impacts]) => [name, impacts.map((impact) => KINDS[name](found, impact))];
+  return Object.fromEntries(Object.entries(given).map(answered));
+}

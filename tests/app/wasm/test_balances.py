@@ -1,8 +1,5 @@
 """Repeated balances by the module: equal to what the library says of them."""
 
-import json
-import subprocess
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,14 +7,14 @@ import pytest
 
 from app.wasm.balance_entries import EVENTS
 from app.wasm.entry import INSTANTS
-from app.wasm.module import MODULE
 from app.wasm.spring_entries import FEW, PLACES
 from solvers import Balance, Scene, Solution
 from solvers.numerics.balance_drawn import MOST_LOCATED
 from solvers.numerics.balances import SAMPLES_PER_PERIOD
 from solvers.scenes.library import scene_of
 
-HERE = Path(__file__).parent
+from .answered import by_node
+
 IMPACTS = 240
 CLOSE = 1e-11
 CHAOTIC = 1e-8  # balances with the restitution of rigid faces are: rounding grows with each of them
@@ -67,17 +64,12 @@ def given_of(scene: Scene, solution: Solution) -> dict[str, Any]:
     }
 
 
-def answers(given: list[Any]) -> list[dict[str, Any]]:
-    command = ["node", HERE / "answers.mjs", MODULE, MODULE.with_name("kernels.js")]
-    done = subprocess.run(command, input=json.dumps({"balance": given}), capture_output=True, text=True, check=True)
-    return json.loads(done.stdout)["balance"]
-
-
 @pytest.mark.browser  # needs Node
 def test_a_browser_finds_what_the_library_says():
     impacts = random_impacts()
     solved = [method.solve(scene) for scene, method in impacts]
-    found = answers([[given_of(scene, solution), 0.0] for (scene, _), solution in zip(impacts, solved, strict=True)])
+    given = [[given_of(scene, solution), 0.0] for (scene, _), solution in zip(impacts, solved, strict=True)]
+    found = by_node({"balance": given})["balance"]
     for (scene, _), solution, here in zip(impacts, solved, found, strict=True):
         if solution.known_motion.run.events.time.size + 2 > EVENTS:
             assert here == {}

@@ -1,8 +1,5 @@
 """Impacts on rods one behind the other, by the module: equal to what the library says of them."""
 
-import json
-import subprocess
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,13 +7,13 @@ import pytest
 
 from app.messages.axial import _wave_history
 from app.wasm.entry import INSTANTS
-from app.wasm.module import MODULE
 from solvers import Scene, Solution, Waves
 from solvers.methods.waves.chain_scene import ChainScene
 from solvers.numerics.waves.chain_drawn import WAVE_NUMBERS
 from solvers.scenes.library import scene_of
 
-HERE = Path(__file__).parent
+from .answered import by_node
+
 IMPACTS = 60
 CLOSE = 1e-10
 RODS = ("two-unequal-rods", "figure-4.2", "figure-4.4", "figure-4.5", "stepped-rod")
@@ -61,10 +58,8 @@ def solved(scene: Scene) -> Solution:
 @pytest.mark.browser  # needs Node
 def test_a_browser_finds_what_the_library_says():
     scenes = random_scenes()
-    command = ["node", HERE / "answers.mjs", MODULE, MODULE.with_name("kernels.js")]
-    text = json.dumps({"chain": [given_of(scene) for scene in scenes]})
-    done = subprocess.run(command, input=text, capture_output=True, text=True, check=True)
-    for scene, here in zip(scenes, json.loads(done.stdout)["chain"], strict=True):
+    found = by_node({"chain": [given_of(scene) for scene in scenes]})["chain"]
+    for scene, here in zip(scenes, found, strict=True):
         assert here, scene.table()
         _equal(scene, solved(scene), here)
 

@@ -1,20 +1,17 @@
 """Two bodies that move as wholes, by the module: equal to what the library says of them."""
 
-import json
 import math
-import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from app.wasm.entry import INSTANTS
-from app.wasm.module import MODULE
 from solvers import Modal, QuasiStatic, Scene
 from solvers.contact.duration import exponent_of
 from solvers.scenes.library import scene_of
 
-HERE = Path(__file__).parent
+from .answered import by_node
+
 IMPACTS = 180
 CLOSE = 1e-11
 LAWS = [
@@ -48,9 +45,7 @@ def test_a_browser_finds_what_the_library_says():
         law["constants"] = list(scene.contact.scaled(scene.speed, scene.speed, scene.speed))
         whole = scene.target.mass if math.isfinite(scene.target.mass) else None
         given.append([scene.impactor.mass, whole, law, sine])
-    command = ["node", HERE / "answers.mjs", MODULE, MODULE.with_name("kernels.js")]
-    done = subprocess.run(command, input=json.dumps({"compact": given}), capture_output=True, text=True, check=True)
-    for (scene, sine), here in zip(impacts, json.loads(done.stdout)["compact"], strict=True):
+    for (scene, sine), here in zip(impacts, by_node({"compact": given})["compact"], strict=True):
         marched = Modal(modes=1).solve(scene)
         closed = QuasiStatic(model="hertz-sine" if sine else "local").solve(scene, marched.duration)
         _equal(scene, marched, here, here["exact"], ("impactor", "face"))

@@ -1,10 +1,9 @@
 """The kernels that browsers have: of today's sources, and equal to those of this machine."""
 
-import json
 import subprocess
 import sys
-from collections.abc import Sequence
-from pathlib import Path
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -23,8 +22,8 @@ from solvers.numerics.waves.drawn import LEAST_JUMP
 from solvers.scenes.library import scene_of
 
 from . import native
+from .answered import FIREFOX, Answers, by_firefox, by_node
 
-HERE = Path(__file__).parent
 RANDOM = np.random.default_rng(41)
 RATIOS = (1e-3, 0.02, 0.25, 1.0, 4.0, 50.0, 1e3)
 IMPACTS = [
@@ -112,19 +111,13 @@ def struck_by(scene: Scene, count: int) -> list:
     return [masses | {"damping": target.damping, "duration": 0, "march": march}, scene.contact.NAME, constants]
 
 
-def answers(
-    module: Path, through: list[tuple[Scene, float]], marched: list[Marched], beams: list[tuple[Scene, int]]
-) -> tuple[list[dict], ...]:
-    command = ["node", HERE / "answers.mjs", module, MODULE.with_name("kernels.js")]
-    given = {
+def given_of(through: list[tuple[Scene, float]], marched: list[Marched], beams: list[tuple[Scene, int]]) -> Answers:
+    return {
         "rod": IMPACTS,
         "law": [impact_of(scene, number < DRAWN_TOO, asked) for number, (scene, asked) in enumerate(through)],
         "modes": [[*impact_of(scene)[:4], *counted] for scene, *counted in marched],
         "beam": [struck_by(*each) for each in beams],
     }
-    done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, check=True)
-    found = json.loads(done.stdout)
-    return found["rod"], found["law"], found["modes"], found["beam"]
 
 
 def test_the_module_is_of_todays_sources():
@@ -205,7 +198,23 @@ def test_what_is_drawn_through_a_law_is_the_solution(name, kind):
 def test_a_browser_finds_what_this_machine_finds():
     through = [(random_scene(), random_time()) for _ in range(THROUGH_LAWS)]
     marched = [random_march() for _ in range(BY_MODES)]
-    _equal(MODULE, through, marched, [random_beam() for _ in range(ACROSS)])
+    _equal(by_node, through, marched, [random_beam() for _ in range(ACROSS)])
+
+
+@pytest.mark.slow
+@pytest.mark.browser
+@pytest.mark.skipif(FIREFOX is None, reason="Firefox is not installed: firefox-esr, or another that FIREFOX names")
+def test_firefox_finds_what_this_machine_finds(tmp_path):
+    """And to the last bit what Node finds, whose engine is that of Chromium."""
+
+    def answer(given: Answers) -> Answers:
+        found, other = by_firefox(given, tmp_path), by_node(given)
+        for kind, answers in other.items():
+            assert found[kind] == answers, kind
+        return found
+
+    through, marched = [(random_scene(), random_time()) for _ in range(100)], [random_march() for _ in range(50)]
+    _equal(answer, through, marched, [random_beam() for _ in range(20)])
 
 
 @pytest.mark.slow
@@ -217,17 +226,21 @@ def test_the_module_can_be_built_again(tmp_path):
     assert done.returncode == 0, done.stderr
     few = range(DRAWN_TOO)
     through = [(random_scene(), random_time()) for _ in few]
-    _equal(built, through, *([one() for _ in few] for one in (random_march, random_beam)))
+    _equal(partial(by_node, module=built), through, *([one() for _ in few] for one in (random_march, random_beam)))
 
 
 def _equal(
-    module: Path, through: list[tuple[Scene, float]], marched: list[Marched], beams: list[tuple[Scene, int]]
+    answer: Callable[[Answers], Answers],
+    through: list[tuple[Scene, float]],
+    marched: list[Marched],
+    beams: list[tuple[Scene, int]],
 ) -> None:
     """To rounding where the wave is exact: now and then the exponential of musl and that of this machine differ in the
     last bit. Through a law to what the steps are allowed, which such a bit may make longer or shorter; where damping
     lets the force fade, the instant at which it ends is less sure than that.
     """
-    rigid, by_laws, by_modes, across = answers(module, through, marched, beams)
+    answers = answer(given_of(through, marched, beams))
+    rigid, by_laws, by_modes, across = (answers[kind] for kind in ("rod", "law", "modes", "beam"))
     found = len(rigid), len(by_laws), len(by_modes), len(across)
     assert found == (len(IMPACTS), len(through), len(marched), len(beams))
     for (beta, side), here in zip(IMPACTS, rigid, strict=True):

@@ -1,21 +1,17 @@
 """A rod that bends as a spring, by the module: equal to what the library says of it."""
 
-import json
-import subprocess
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from app.messages import axial
 from app.messages.laws import carried_by_spring
 from app.wasm.entry import INSTANTS
-from app.wasm.module import MODULE
 from app.wasm.spring_entries import FEW, PLACES
 from solvers import QuasiStatic, Scene
 from solvers.scenes.library import scene_of
 
-HERE = Path(__file__).parent
+from .answered import by_node
+
 IMPACTS = 200
 CLOSE = 1e-11
 
@@ -39,9 +35,7 @@ def test_a_browser_finds_what_the_library_says():
     solved = [QuasiStatic(model=model).solve(scene, duration * scene.time_unit) for scene, model, duration in impacts]
     for (scene, _, duration), solution in zip(impacts, solved, strict=True):
         given.append([0.5 / scene.mass_ratio, 0.5 * carried_by_spring(solution), 2.0, duration])
-    command = ["node", HERE / "answers.mjs", MODULE, MODULE.with_name("kernels.js")]
-    done = subprocess.run(command, input=json.dumps({"spring": given}), capture_output=True, text=True, check=True)
-    for (scene, *_), solution, here in zip(impacts, solved, json.loads(done.stdout)["spring"], strict=True):
+    for (scene, *_), solution, here in zip(impacts, solved, by_node({"spring": given})["spring"], strict=True):
         _equal(scene, solution, here)
 
 
@@ -86,7 +80,4 @@ def test_fields_are_of_as_many_instants_and_places_as_the_server_sends():
 
 @pytest.mark.browser
 def test_bodies_that_still_touch_are_left_to_the_server():
-    command = ["node", HERE / "answers.mjs", MODULE, MODULE.with_name("kernels.js")]
-    given = json.dumps({"spring": [[0.5, 0.0, 2.0, 1.0]]})
-    done = subprocess.run(command, input=given, capture_output=True, text=True, check=True)
-    assert json.loads(done.stdout)["spring"] == [{}]
+    assert by_node({"spring": [[0.5, 0.0, 2.0, 1.0]]}) == {"spring": [{}]}
