@@ -42,6 +42,7 @@ APART = {  # and what has been fetched before, beside all those
     "courses/courses.js": (),
     "lesson/lesson.js": (),
     "classes/classes.js": ("lesson/lesson.js",),
+    "sharing/class_link.js": (),
     "take/files.js": (),
     "wasm/answers.js": (),
 }
@@ -61,6 +62,7 @@ LATE = {
     "gallery/gallery.css",
     "courses/courses.css",
     "classes/classes.css",
+    "sharing/class_link.css",
     "lesson/lesson.css",
     "lesson/print.css",
     "lesson/questions.css",

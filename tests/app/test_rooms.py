@@ -6,7 +6,7 @@ from pathlib import Path
 from app.serving.pages import STATIC
 
 ROOMS = [  # from the top
-    *("offline", "page.js", "kinds.js", "gallery", "courses", "classes", "lesson", "panels", "take", "wasm"),
+    *("offline", "page.js", "kinds.js", "gallery", "courses", "classes", "lesson", "panels", "sharing", "take", "wasm"),
     *("fall", "mechanism", "beam", "axial", "space", "opening", "compare"),
     *("frame", "charts", "form", "clock", "wire", "browser", "text"),
 ]

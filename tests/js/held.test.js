@@ -30,6 +30,23 @@ test('names and bounds are taken, and said again', () => {
   assert.deepEqual(held('').said, []);
 });
 
+test('what is said of large and small numbers is taken again', () => {
+  const spec = {
+    hertz_stiffness: { default: 1e9, low: 1e6, high: 1e14, whole: false },
+    gap: { default: 0, low: 0, high: 1 },
+  };
+  const { said } = new Held('?bound=hertz_stiffness:1e6:1e14,gap:1.23456789e-6:1e-3', spec);
+  const again = new Held(`?${said.map((each) => each.join('=')).join('&')}`, spec);
+  assert.deepEqual(again.refused, []);
+  assert.deepEqual(
+    [...again.bounds.values()],
+    [
+      [1e6, 1e14],
+      [1.23456789e-6, 1e-3],
+    ],
+  );
+});
+
 test('values of bodies stay where they would move a choice that does not', () => {
   const stay = (search) => held(search).bodies;
   assert.deepEqual(['?fix=mass_ratio', '?bound=mass_ratio:0.1:2', '?hide=mass_ratio'].map(stay), [true, true, true]);

@@ -76,14 +76,15 @@ function viewOf({ compare, frame, layout, opening, player, scenes, view }, momen
  * @param {Page} page
  * @param {boolean} [moment]  with the instant of the clock, also while it runs
  * @param {string} [spoken]  the language that it asks for
+ * @param {import('../wire/held.js').Held} [held]  what it takes from the controls
  */
-export function queryOf(page, moment = false, spoken = SPOKEN) {
+export function queryOf(page, moment = false, spoken = SPOKEN, { said: taken } = page.changes.held) {
   const { frame, model } = page;
   const { lesson } = page.opening.teaching;
   const asked = spoken ? [['language', spoken]] : [];
   if (lesson) return [lesson.query, ...asked.map((each) => each.join('='))].join('&');
   const panels = page.opening.leads && !page.opening.docked ? [] : panelsOf(model); // where they are seen
-  const said = [...choicesOf(model, frame), ...page.changes.held.said, ...panels, ...viewOf(page, moment)];
+  const said = [...choicesOf(model, frame), ...taken, ...panels, ...viewOf(page, moment)];
   const query = new URLSearchParams([...said, ...page.opening.said(said.some(([key]) => key !== 'gallery')), ...asked]);
   return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);
 }

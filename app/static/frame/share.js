@@ -9,12 +9,15 @@ import { alone } from '../browser/home.js';
 
 const DIGITS = 6; // behind the first one, of saved values
 
-/** @param {Page} page */
-function linkOf(page) {
+/**
+ * @param {Page} page
+ * @param {import('../wire/held.js').Held} [held]  what it takes from the controls, where not what the page's own does
+ */
+export function linkOf(page, held) {
   const { href, pathname } = window.location;
   if (!alone) return href;
   const [bare] = href.split(/[?#]/); // a page from the disk has no origin
-  return `${bare}${addressOf(queryOf(page, true)).replace(pathname, '')}`;
+  return `${bare}${addressOf(queryOf(page, true, undefined, held)).replace(pathname, '')}`;
 }
 
 /** @param {Page} page */

@@ -1,7 +1,7 @@
-// The menu of what a visitor takes along: picture, clip, histories, scene. What draws files is fetched when wanted.
+// The menu of what a visitor takes along: picture, clip, histories, scene, link for a class; what makes it comes late.
 import { text } from '../text/catalogue.js';
-import { carried } from '../browser/home.js';
-import { late } from '../browser/late.js';
+import { alone, carried } from '../browser/home.js';
+import { late, lateSheet } from '../browser/late.js';
 import { Menu } from '../browser/menu.js';
 import { fileOf } from '../wire/own.js';
 import { saveData } from './share.js';
@@ -13,6 +13,7 @@ import { saveData } from './share.js';
 
 export class Take {
   /** @type {Clip | null} */ clip = null; // that is being recorded
+  /** @type {import('../sharing/class_link.js').ClassLink | undefined} */ link;
 
   /** @param {Page} page */
   constructor(page) {
@@ -28,16 +29,29 @@ export class Take {
     if (!carried) {
       menu.item(text('take.data'), () => saveData(page));
       menu.item(text('take.code'), () => this.#code());
+      if (alone) menu.item(text('class.link.title'), () => this.#link());
     }
     const open = this.button.onclick;
     this.button.onclick = (event) => (this.clip ? this.clip.stop() : open?.call(this.button, event));
   }
   /** @param {(files: Files, named: Named) => void} act */
-  async #file(act) {
+  #file(act) {
     const scene = fileOf(this.page.frame.chosen.scene); // when it was asked for
     const named = (/** @type {string} */ extension) => `strikewave-${scene}.${extension}`;
+    this.#try(async () => act(await late('take/files.js'), named));
+  }
+  #link() {
+    const { page } = this;
+    this.#try(async () => {
+      const sheet = this.link ? null : lateSheet('sharing/class_link.css', page.root);
+      const [{ ClassLink }] = await Promise.all([late('sharing/class_link.js'), sheet]);
+      (this.link ??= /** @type {import('../sharing/class_link.js').ClassLink} */ (new ClassLink(page))).open();
+    });
+  }
+  /** @param {() => Promise<void>} act */
+  async #try(act) {
     try {
-      act(await late('take/files.js'), named);
+      await act();
     } catch {
       this.page.complain(text('take.lost'));
     }

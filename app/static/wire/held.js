@@ -3,12 +3,25 @@
 import { text } from '../text/catalogue.js';
 
 /** @import { Chosen } from '../messages.js' */
-/** @import { Spec } from './model.js' */
+/** @import { Bounds, Spec } from './model.js' */
 
 const LESSONS = ['lesson', 'class']; // which say themselves what may be moved
-const NUMBER = /^-?\d{1,12}(\.\d{1,12})?(e[+-]?\d{1,3})?$/i;
+const NUMBER = /^-?\d{1,20}(\.\d{1,20})?(e[+-]?\d{1,3})?$/i;
 const OF_BODIES = ['mass_ratio', 'slenderness']; // which move with the values of bodies
 const LONGEST = 40; // letters of a value that are said
+
+/**
+ * The ends that a slider may have, or nothing where it cannot have these.
+ * @param {string[]} ends
+ * @param {Bounds} bounds  that it has
+ * @returns {[low: number, high: number] | null}
+ */
+export function endsOf(ends, { high: most, low: least, whole }) {
+  const [low, high] = ends.map(Number);
+  const numbers = ends.length === 2 && ends.every((end) => NUMBER.test(end));
+  const possible = numbers && low < high && low >= least && high <= most;
+  return possible && (!whole || (Number.isInteger(low) && Number.isInteger(high))) ? [low, high] : null;
+}
 
 export class Held {
   /** @type {Set<string>} */ hidden = new Set();
@@ -52,10 +65,8 @@ export class Held {
    */
   #bound(given, name, ends) {
     const { high: most, low: least, whole } = this.spec[name];
-    const [low, high] = ends.map(Number);
-    const numbers = ends.length === 2 && ends.every((end) => NUMBER.test(end));
-    const possible = numbers && low < high && low >= least && high <= most;
-    if (possible && (!whole || (Number.isInteger(low) && Number.isInteger(high)))) this.bounds.set(name, [low, high]);
+    const found = endsOf(ends, this.spec[name]);
+    if (found) this.bounds.set(name, found);
     else this.refused.push(text('held.bound', { value: given.slice(0, LONGEST), name, least, most, whole }));
   }
   /**

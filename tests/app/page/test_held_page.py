@@ -104,3 +104,84 @@ def test_a_scene_that_is_held_stays_and_the_gallery_shut(open_page):
     page.evaluate("() => strikewave.page.choose('scene', 'free-rod')")
     page.frames_pass(5)
     assert chosen(page, "scene") == "fixed-rod"
+
+
+def the_form(page, save="Save", link="Link for a class"):
+    """That which makes a link for a class, opened from the menu by keys."""
+    page.tab.get_by_role("button", name=save, exact=True).press("Enter")
+    page.tab.get_by_role("button", name=link, exact=True).press("Enter")
+    form = page.tab.get_by_role("dialog", name=link)
+    expect(form).to_be_visible()
+    return form
+
+
+def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
+    page = open_page("?scene=fixed-rod&mass_ratio=0.8&layout=laboratory", own=True)
+    loaded = "() => performance.getEntriesByType('resource').filter(({ name }) => name.includes('sharing/')).length"
+    assert page.evaluate(loaded) == 0
+    form = the_form(page)
+    link, seen = form.get_by_label("The link"), form.get_by_role("status")
+    expect(seen).to_have_text("A class sees what you see; all is free.")
+    for group, way in (("Compare with", "Hidden"), ("Modes", "Hidden"), ("Restitution (rigid)", "Fixed")):
+        form.get_by_role("group", name=group).get_by_role("button", name=way).press("Enter")
+    low = form.get_by_role("textbox", name="Mass ratio, lowest value")
+    high = form.get_by_role("textbox", name="Mass ratio, highest value")
+    assert (low.input_value(), high.input_value()) == ("0.001", "1000")
+    low.fill("0.1")
+    high.fill("2")
+    high.press("Tab")
+    expect(seen).to_have_text(
+        "A class sees what you see; hidden: Modes, Compare with; fixed: Restitution (rigid); "
+        "within bounds: Mass ratio (0.1 to 2); all else is free, but the values of the bodies stay."
+    )
+    good = link.input_value()
+    assert "mass_ratio=0.8&hide=method,modes&fix=restitution&bound=mass_ratio:0.1:2" in good
+    low.fill("3")
+    low.press("Tab")
+    expect(form.locator(".wrong:not([hidden])")).to_have_text(
+        "Mass ratio: got 3, 2; allowed: two numbers from 0.001 to 1000, the lower one first."
+    )
+    assert link.input_value() == good and high.get_attribute("aria-invalid") == "true"
+    low.fill("0,1")
+    low.press("Tab")
+    expect(form.locator(".wrong:not([hidden])")).to_have_count(0)
+    page.evaluate("() => { navigator.clipboard.writeText = async (link) => { window.copied = link; }; }")
+    form.get_by_role("button", name="Copy").press("Enter")
+    expect(form.get_by_role("button", name="Copied")).to_be_visible()
+    page.tab.keyboard.press("k")  # does nothing to what is behind
+    page.tab.keyboard.press("Escape")
+    expect(form).to_be_hidden()
+    expect(page.tab.get_by_role("button", name="Save", exact=True)).to_be_focused()
+    assert page.evaluate("() => strikewave.page.compare.runs.length") == 0
+    other = open_page("?" + page.evaluate("() => window.copied").split("?")[1])
+    settled(other)
+    expect(field(other, "method")).not_to_be_visible()
+    expect(field(other, "modes")).not_to_be_visible()
+    expect(field(other, "restitution")).to_be_disabled()
+    other.answered(lambda: field(other, "mass_ratio").fill("1000"))
+    assert chosen(other, "mass_ratio") == 2
+    form = the_form(other)  # begins with what the link says
+    expect(form.get_by_role("textbox", name="Mass ratio, highest value")).to_have_value("2")
+    expect(form.get_by_role("group", name="Modes").get_by_role("button", pressed=True)).to_have_text("Hidden")
+
+
+@pytest.mark.parametrize(
+    "query, size, words",
+    [
+        ("?scene=hammer-on-cantilever", (1280, 720), ("Save", "Link for a class")),
+        ("?scene=spinning-ball&language=es", (390, 844), ("Descargar", "Enlace para una clase")),
+    ],
+)
+def test_the_form_of_links_breaks_no_rule_of_access_and_fits(open_page, query, size, words):
+    page = open_page(query, size=size)
+    form = the_form(page, *words)
+    low = form.get_by_role("textbox").first
+    low.fill("x")
+    low.press("Tab")
+    expect(form.locator(".wrong:not([hidden])")).to_have_count(1)
+    assert findings(page) == []
+    page.tab.emulate_media(color_scheme="dark")
+    assert findings(page) == []
+    page.fits(size[0])
+    assert form.evaluate("form => [form, ...form.children].every((each) => each.scrollWidth <= each.clientWidth)")
+    expect(form.locator("textarea")).to_be_in_viewport()
