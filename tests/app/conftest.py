@@ -10,7 +10,7 @@ from playwright.sync_api import expect, sync_playwright
 from .servers import Server
 
 LABORATORY = "?layout=laboratory"  # the first scene, with all charts and controls
-MEDIA = ("reduced_motion", "color_scheme", "forced_colors", "contrast")  # that a test may emulate
+MEDIA = ("media", "reduced_motion", "color_scheme", "forced_colors", "contrast")  # that a test may emulate
 PATIENCE = 60_000  # ms, for a machine that does much else beside
 POLLING = 30  # ms between two looks; at every frame, they would keep the browser drawing
 expect.set_options(timeout=PATIENCE)

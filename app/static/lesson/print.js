@@ -124,6 +124,7 @@ export class Print {
     const { lesson } = this;
     const { at } = lesson;
     lesson.page.root.classList.add('printing'); // where pictures are as wide as a sheet
+    lesson.awaited.begin(true); // nobody sees steps that are still ahead
     for (const k of lesson.record.steps.keys()) await this.#still(k);
     lesson.page.root.classList.remove('printing');
     lesson.enter(at, false);
@@ -160,13 +161,15 @@ export class Print {
     const wanted = this.dialog.isConnected ? this.key.checked : lesson.flags.includes(KEY);
     /** @type {HTMLElement[]} */
     const key = [make('h1', { textContent: text('lesson.key-of', { title: record.title }) })];
-    const first = this.stills.get(lesson.at) ?? page.view.stage.canvas.toDataURL();
+    const shown = lesson.coming ? '' : page.view.stage.canvas.toDataURL();
+    let all = true;
     const steps = record.steps.flatMap((step, k) => {
       const part = step.parts.find(asks);
       if (part) key.push(make('section', {}, make('h2', { textContent: step.title }), ...RIGHT[part.kind](part)));
       if (step.parts.some(({ kind }) => kind === 'summary')) return []; // which says what is so
       const texts = step.parts.filter(({ kind }) => kind === 'text').flatMap(({ nodes }) => elementsOf(nodes));
-      const src = this.stills.get(k) ?? (k === lesson.at ? first : '');
+      const src = this.stills.get(k) ?? (k === lesson.at ? shown : '');
+      all &&= Boolean(src);
       const still = src ? [make('img', { src, className: 'print-still', alt: '' })] : [];
       const asked = part ? ASKED[part.kind](part, lesson, this.events.get(k) ?? lesson.events) : [];
       return [
@@ -174,7 +177,14 @@ export class Print {
       ];
     });
     const title = make('h1', { textContent: record.title_before });
-    root.replaceChildren(title, ...steps, ...(wanted ? [make('div', { className: 'print-key' }, ...key)] : []));
+    const whole = all || !this.button.isConnected;
+    const note = whole ? [] : [line(text('lesson.pictures'), 'print-note')];
+    root.replaceChildren(
+      title,
+      ...note,
+      ...steps,
+      ...(wanted ? [make('div', { className: 'print-key' }, ...key)] : []),
+    );
   }
 }
 

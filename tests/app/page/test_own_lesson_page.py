@@ -229,7 +229,7 @@ def test_a_lesson_on_paper_has_all_steps_and_no_answer_but_in_the_key(open_page)
     ready(page)
     page.tab.emulate_media(media="print")
     key = page.tab.locator(".print-key").inner_text()
-    page.tab.emulate_media(media="screen")  # for who has this window next
+    page.tab.emulate_media(media="screen")
     assert "116.4" in key and "A second contact" in key and "from 1.02 to 10: One" in key
     page.tab.goto(f"http://{page.address}/{LESSON}&key")
     page.laid_out()
@@ -254,3 +254,34 @@ def test_keys_of_a_presenter_walk_through_a_lesson_before_a_class(open_page):
     page.tab.keyboard.press("ArrowRight")
     assert page.evaluate(step) == 0
     page.tab.wait_for_url("**/?lesson=bounce-twice&step=1")
+
+
+def pages(page) -> int:
+    """How many sheets the browser prints by itself."""
+    return len(re.findall(rb"/Type\s*/Page\b", page.tab.pdf(format="A4")))
+
+
+def test_paper_is_white_where_the_page_is_dark(open_page):
+    page = open_page(LESSON, color_scheme="dark")
+    ready(page)
+    turned = "() => getComputedStyle(document.documentElement).filter"
+    assert "invert" in page.evaluate(turned)
+    page.tab.emulate_media(media="print")
+    assert page.evaluate(turned) == "none"
+
+
+def test_what_a_phone_prints_by_itself_says_how_all_pictures_are_got(open_page):
+    page = open_page(LESSON, size=(390, 844))
+    ready(page)
+    page.evaluate("() => (window.print = () => (window.printed = true))")
+    paper = page.tab.locator(".lesson-print")
+    assert pages(page) >= 2
+    assert paper.locator("h2").count() == 5 and paper.locator(".print-still").count() == 1
+    expect(paper.locator(".print-note")).to_contain_text("use Print, at the top of the lesson")
+    button(page, "Print").click()
+    page.tab.locator(".lesson-printing .lesson-main").click()
+    page.wait("() => window.printed")
+    ready(page)
+    page.fits(390)
+    assert pages(page) >= 2
+    assert paper.locator(".print-still").count() == 5 and paper.locator(".print-note").count() == 0
