@@ -21,6 +21,8 @@ import llvmlite.binding as llvm
 import numba
 from numba.core import caching, codegen
 
+from solvers.jit.shortcuts import shorten
+
 from .entries import ENTRIES, room
 from .module import MODULE, named_in, signed
 
@@ -110,6 +112,7 @@ def _unoptimised() -> Iterator[None]:
         (library, "_optimize_final_module", nothing),
         (library, "_finalize_final_module", finished),
         (jit, "set_env", nothing),
+        (jit, "_library_class", codegen.JITCodeLibrary),  # not that of the shortcuts, which optimises what is asked for
         (cache, "check_cachable", nothing),
     )
     before = [(where, name, getattr(where, name)) for where, name, _ in changed]
@@ -123,6 +126,7 @@ def _unoptimised() -> Iterator[None]:
 
 
 def main() -> None:
+    shorten()
     try:
         module = build()
     except NoLinker as why:

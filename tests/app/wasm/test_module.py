@@ -271,7 +271,8 @@ def _apart(found: Sequence[float | None], known: Sequence[float] | np.ndarray, r
     """Places and values that differ, as `pytest.approx` has it, which takes long over so many."""
     here, there = np.array(found, float), np.asarray(known)  # None, as JSON has it, is NaN
     assert here.shape == there.shape
-    near = np.abs(here - there) <= np.maximum(rel * np.abs(there), close)
+    with np.errstate(invalid="ignore"):
+        near = np.abs(here - there) <= np.maximum(rel * np.abs(there), close)
     near |= (here == there) | (np.isnan(here) & np.isnan(there))
     return [(int(place), here[place], there[place]) for place in np.flatnonzero(~near)]
 
