@@ -25,7 +25,12 @@ export class Second {
    * @param {Partial<Chosen> | null} settings
    */
   want(settings) {
+    const { changes, root } = this.page;
     this.wanted = settings;
+    if (changes.quiet) {
+      changes.quiet = root.inert = false; // what was beside the step before is not waited for
+      this.page.take(changes.bytes); // what has been answered last is where one goes on from
+    }
     if (!this.run) return;
     this.run = null;
     this.show(false);

@@ -178,6 +178,26 @@ def test_a_beam_has_charts_and_a_second_solution_behind_the_answer(taught):
     expect(page.tab.locator(".lesson-said").first).to_contain_text("So it is.")
 
 
+LEFT = """() => {
+  const { changes, opening: { teaching: { lesson } } } = strikewave.page;
+  const look = () => (changes.quiet ? [lesson.enter(2), window.left = true] : setTimeout(look, 1));
+  lesson.enter(1);
+  look();
+}"""
+
+
+def test_a_step_may_be_left_while_what_is_beside_it_is_solved(taught):
+    """As a presenter's remote does, or the browser's Back: the page waits for what nobody wants any more."""
+    page = taught("timoshenko-1913-long", BEAM)
+    page.wait(SETTLED)
+    page.evaluate(LEFT)
+    page.wait("() => window.left")
+    ready(page)
+    expect(page.tab.get_by_role("heading", name="Energy", exact=True)).to_be_visible()
+    assert page.evaluate("() => [strikewave.page.changes.quiet, strikewave.page.root.inert]") == [False, False]
+    assert page.header("chosen")["speed"] == page.evaluate("() => strikewave.page.changes.latest.chosen.speed") == 0.01
+
+
 def test_a_ball_with_spin_has_the_clock_of_its_impulse(taught):
     page = taught("spinning-ball", BALL)
     stick = page.evaluate("() => strikewave.page.opening.teaching.lesson.events.stick")
