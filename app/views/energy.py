@@ -39,10 +39,10 @@ def of_impacts(asked: dict[str, Any]) -> Hashable:
 
 @answering
 def energy_data(request: Request) -> dict[str, Any]:
-    """The shares: `time` in `unit`, and of each part `key` and `values` [%], or None."""
+    """The shares: `time` in `unit`, `fed` [%], and of each part `key` and `values` [%], or None."""
     found = energy_shares(request)
     parts = [{"key": key, "values": _listed(found[key]) if key in found else None} for key in COLOURS]
-    return {"time": _listed(found["time"]), "unit": found["unit"], "parts": parts}
+    return {"time": _listed(found["time"]), "unit": found["unit"], "fed": found["fed"], "parts": parts}
 
 
 def _listed(values: np.ndarray) -> list[float]:
@@ -50,7 +50,8 @@ def _listed(values: np.ndarray) -> list[float]:
 
 
 def energy_shares(request: Request) -> dict[str, Any]:
-    """Energy of every part against time [T; s for a beam], as a share of the first energy.
+    """Energy of every part against time [T; s for a beam], as a share of the first energy and `fed`, what the
+    drives have brought in by the end.
 
     That of a beam is split into motion and bending, where its method knows both.
     """
@@ -65,8 +66,10 @@ def energy_shares(request: Request) -> dict[str, Any]:
         parts = solution.motion.target_energies(time)
         energies = {key: energies[key] for key in energies if key not in ("target_rigid", "target_vibration")}
         energies |= {f"target_{name}": values for name, values in parts.items()}
-    shares = {name: 100.0 * values / solution.energy["initial"] for name, values in energies.items()}
-    return {"time": time / unit, "unit": "s" if beam else "T", **shares}
+    fed = max(-solution.energy.get("drives", 0.0), 0.0)
+    whole = solution.energy["initial"] + fed
+    shares = {name: 100.0 * values / whole for name, values in energies.items()}
+    return {"time": time / unit, "unit": "s" if beam else "T", "fed": 100.0 * fed / whole, **shares}
 
 
 def beam_instants(solution: Solution) -> np.ndarray:

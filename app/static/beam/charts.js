@@ -357,20 +357,20 @@ export class Dispersion {
     const { wavenumbers: x, lower, upper, beam, modeFrequencies, modeWavenumbers } = frame;
     this.chart.root.hidden = !x; // else there is no one curve
     if (!x || !lower || !modeFrequencies || !modeWavenumbers) return;
-    const factor = 0.5 / Math.PI;
-    const far = x[x.length - 1];
-    const theory = named('theory', beam.theory);
+    const [factor, far] = [0.5 / Math.PI, x[x.length - 1]];
+    const { lone } = this.chart;
     const [slow, fast] = modesOf(modeWavenumbers, modeFrequencies, beam.speedLimit);
     const limit = { x: [0, far], y: [0, beam.speedLimit * far] };
     /** @type {Series[]} */
     const series = [
       { ...slow, factor, reach: 0, style: 'mode' },
       { ...fast, factor, reach: 0, style: 'fastMode' },
-      { x, y: lower, factor, name: theory, style: 'exact' },
+      { x, y: lower, factor, name: named('theory', beam.theory), style: 'exact' },
     ];
-    if (upper) series.push({ x, y: upper, factor, reach: 0, name: text('beam.chart.shear-branch'), style: 'struck' });
+    if (upper && !lone)
+      series.push({ x, y: upper, factor, reach: 0, name: text('beam.chart.shear-branch'), style: 'struck' });
     series.push({ ...limit, factor, reach: 0, name: '√(E/ρ)', style: 'limit' });
-    const readout = text('beam.chart.too-fast', { fast: fast.x.length, all: modeWavenumbers.length });
+    const readout = lone ? '' : text('beam.chart.too-fast', { fast: fast.x.length, all: modeWavenumbers.length });
     this.chart.axis.load(0, far);
     this.chart.show({ series, readout });
   }

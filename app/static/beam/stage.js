@@ -44,6 +44,7 @@ export class BeamStage {
   scale = 1; // pixels in a metre of deflection
   thick = 0;
   leads = false; // the opening has the page
+  taught = false; // a lesson says what there is to be seen: neither diagrams nor the estimate
   drawn = { left: 0, right: 0, rest: 0 }; // its ends, and where it is struck [px]
   hit = { x: 0, y: 0, size: 0, flew: false }; // where the impactor touches; whether it has left the picture
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
@@ -99,7 +100,7 @@ export class BeamStage {
   }
   /** Whether there are forces within the beam to draw, and room for them. */
   get diagrams() {
-    return !this.field.lengthwise && !this.low && !this.leading;
+    return !this.taught && !this.field.lengthwise && !this.low && !this.leading;
   }
   /** Whether the rows of the opening lie below it. */
   get leading() {
@@ -270,7 +271,7 @@ export class BeamStage {
   prediction(c, t) {
     const { frame } = this;
     const { staticPath, staticShape, staticTime } = frame;
-    if (!staticShape || !staticPath || !staticTime) return;
+    if (this.taught || !staticShape || !staticPath || !staticTime) return;
     const size = between(staticTime, staticPath, t) * this.scale;
     c.strokeStyle = COLORS.prediction;
     c.lineWidth = 1.4;
@@ -352,7 +353,8 @@ export class BeamStage {
     const words = this.scaleWords;
     c.fillText(words, 12, 18);
     const end = 12 + c.measureText(words).width;
-    if (frame.staticShape && frame.staticPath && !narrow) c.fillText(text('beam.stage.dashed'), 12, top - 8);
+    if (!this.taught && frame.staticShape && frame.staticPath && !narrow)
+      c.fillText(text('beam.stage.dashed'), 12, top - 8);
     if (this.coloured) legend(c, this, end);
   }
   /** Whether anything has the colours of a field. */

@@ -12,8 +12,11 @@ export class Below {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
-    for (const { stack } of Object.values(page.views))
+    for (const { dispersion, stack, stage } of Object.values(page.views)) {
+      if (dispersion) dispersion.chart.lone = true;
+      if ('taught' in stage) stage.taught = true;
       for (const [name, chart] of stack?.charts ?? []) chart.lone = OF_SOLUTIONS.includes(name);
+    }
   }
   /**
    * A chart of the view that is seen, or an analysis.

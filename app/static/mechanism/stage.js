@@ -25,7 +25,7 @@ export class MechanismStage extends BeamStage {
     this.mechanism.magnify(this.reach);
   }
   get diagrams() {
-    return !this.field.lengthwise && this.mechanism.bends && !this.narrow;
+    return !this.taught && !this.field.lengthwise && this.mechanism.bends && !this.narrow;
   }
   get leading() {
     return false; // rows of one link would say little of all of them

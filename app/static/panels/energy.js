@@ -13,6 +13,7 @@ import { Panel } from './panel.js';
  * @property {Record<string, any>} chosen
  * @property {number[]} time
  * @property {string} unit  of time
+ * @property {number} fed  what drives have brought in by the end [%]
  * @property {{ key: string, values: number[] | null }[]} parts  [%]; null: not of this scene
  */
 
@@ -37,7 +38,7 @@ function shownOf(found) {
  * Where the energy is at the end.
  * @param {Shares} found
  */
-function endOf({ parts, time, unit }) {
+function endOf({ fed, parts, time, unit }) {
   const last = time.length - 1;
   const shares = parts.flatMap(({ key, values }) => (values ? [{ key, share: values[last] / 100 }] : []));
   const there = shares.filter(({ key, share }) => key !== 'dissipated' && share >= LEAST);
@@ -45,6 +46,7 @@ function endOf({ parts, time, unit }) {
   return text('energy.said', {
     time: `${figures(time[last])} ${unit}`,
     parts: there.map(({ key, share }) => `${PARTS[key]} ${percent(share)}`),
+    ...{ driven: fed > 0, fed: percent(0.01 * fed) },
     loses: lost >= LEAST,
     lost: percent(lost),
   });

@@ -290,7 +290,7 @@ def test_legends_wrap_instead_of_being_cut(open_page, query):
 
 def test_a_zoomed_picture_of_a_beam_is_computed_anew(open_page):
     page = open_page("?scene=figure-8.15")
-    hand = Hand(page, "How bending runs along the beam")
+    hand = Hand(page, "How bending runs along")
     drawn = "() => strikewave.page.beam.spaceTime.chart.content.picture.x"
     hand.drag(0.1, 0.2)
     page.wait(f"() => ({drawn})()[0] === ({VIEW})()[0] && ({drawn})()[1] === ({VIEW})()[1]")

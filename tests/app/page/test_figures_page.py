@@ -130,7 +130,7 @@ def test_a_figure_is_saved_as_a_picture(open_page, tmp_path):
     assert download.value.suggested_filename == "strikewave-energy.svg"
     download.value.save_as(tmp_path / "energy.svg")
     text = (tmp_path / "energy.svg").read_text()
-    assert text.startswith("<svg") and "share of the initial energy, %" in text and "impactor" in text
+    assert text.startswith("<svg") and "share of the energy, %" in text and "impactor" in text
     with page.tab.expect_download() as download:
         panel.locator(".bk-tool-icon-save").click()
     assert download.value.suggested_filename == "strikewave-energy.png"

@@ -217,6 +217,7 @@ def test_a_ball_with_spin_has_the_clock_of_its_impulse(taught):
 def test_a_linkage_and_a_chain_have_rows_and_charts(taught):
     page = taught("four-bar", LINKS)
     page.wait(SETTLED)
+    assert not page.evaluate("() => strikewave.page.view.stage.diagrams")  # of which the lesson does not speak
     page.wait("() => strikewave.page.opening.section.besides.length")
     assert page.evaluate(BESIDE) == [1, "12 modes", "2 modes"]
     second = page.evaluate("() => strikewave.page.frame.contacts[1][1]")

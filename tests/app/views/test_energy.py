@@ -36,6 +36,15 @@ def test_the_energy_of_a_beam_is_split_into_motion_and_bending():
     assert shares["time"][-1] > 1e-3 and shares["unit"] == "s"
 
 
+def test_what_drives_bring_in_is_part_of_the_whole():
+    """Of the energy of the bar and the mass before it alone, the mass would have 1169 % at the end."""
+    shares = energy_shares(Request.of(Choices(**choices_of("rotating-bar"), scene="rotating-bar").chosen()))
+    parts = [shares[name] for name in COLOURS if name in shares]
+    assert 80.0 < shares["fed"] < 100.0
+    assert np.sum(parts, axis=0)[0] == pytest.approx(100.0 - shares["fed"], abs=1e-3)
+    assert np.sum(parts, axis=0)[-1] == pytest.approx(100.0, abs=0.1)
+
+
 def test_the_energy_of_a_beam_follows_every_contact():
     chosen = Choices(**choices_of(BEAM), scene=BEAM).chosen()
     time = energy_shares(Request.of(chosen))["time"]
