@@ -1,18 +1,13 @@
 """Codes of a class: made at the end of a lesson, read on the page of a teacher, saved as a table."""
 
-import csv
-import io
-import re
-from pathlib import Path
-
 import pytest
 from playwright.sync_api import expect
 
+from .students import Student, put_in, read_by_teacher, reading, saved, tables
 from .test_access_page import findings
-from .test_lesson_page import answered_choice, button, drawn, onwards, ready
+from .test_lesson_page import button, ready
 
 LESSON = "bounce-twice"
-READ = "() => window.strikewave && !strikewave.page.asked && strikewave.page.root.querySelector('.classes')"
 # Twenty students, each with other answers; the third of each four has left two questions out.
 CLASS = """async (name) => {
   const { codeOf, POINTS } = strikewaveModules['lesson/code.js'];
@@ -33,36 +28,6 @@ CLASS = """async (name) => {
     }, 7 * k);
   });
 }"""
-
-
-def reading(page) -> None:
-    page.wait(READ)
-    page.frames_pass(2)
-
-
-def put_in(page, lines: list[str]) -> None:
-    page.tab.get_by_role("textbox", name="One code a line").fill("\n".join(lines))
-
-
-def tables(page) -> dict[str, list[list[str]]]:
-    """Rows of the tables by their captions: answers and their counts."""
-    return dict(
-        page.evaluate(
-            """() => [...strikewave.page.root.querySelectorAll('.class-sums table')].map((table) => [
-              table.caption.textContent,
-              [...table.tBodies[0].rows].map((row) =>
-                [...row.cells].map((cell) => cell.textContent.replaceAll('\u00a0', ' '))),
-            ])"""
-        )
-    )
-
-
-def saved(page) -> list[list[str]]:
-    with page.tab.expect_download() as waited:
-        button(page, "Save as CSV").click()
-    text = Path(waited.value.path()).read_bytes().decode("utf-8")
-    assert text.startswith("\ufeff") and text.count("\r\n") == text.count("\n")
-    return list(csv.reader(io.StringIO(text.removeprefix("\ufeff"))))
 
 
 def test_a_class_of_twenty_is_read_and_saved(open_page):
@@ -130,34 +95,25 @@ def test_lines_that_cannot_be_read_are_named_with_their_reason(open_page):
     )
 
 
-def test_a_student_gets_a_code_that_the_teacher_reads(open_page):
-    page = open_page(f"?lesson={LESSON}")
-    ready(page)
-    answered_choice(page)
-    onwards(page)
-    drawn(page, [(0, 36), (0.98, 9), (1.0, 78), (2.2, 0), (2.6, 0)])
-    button(page, "Show what happens").click()
-    button(page, "Lay it beside the rod").click()
-    for _ in range(4):
-        page.tab.get_by_role("button", name=re.compile("^(Next|Skip) →")).click()
-        ready(page)
-    button(page, "Code for my teacher").click()
-    code = page.tab.locator(".class-code").inner_text()
-    assert findings(page) == []
-    page.tab.reload()
-    ready(page)
-    button(page, "Code for my teacher").click()
-    assert page.tab.locator(".class-code").inner_text() == code  # else a class would count it twice
-    page.tab.get_by_role("link", name="For teachers: read codes").click()
+def test_a_class_that_plays_is_counted_by_its_teacher(open_page):
+    """Four students: `python -m bench.lesson_class` plays twenty."""
+    students = [Student(open_page("liveness", drawn=False), number) for number in range(4)]
+    for student in students:
+        student.begin(LESSON)
+    for step in Student.STEPS:
+        for student in students:
+            step(student)
+    first, *_ = students
+    assert findings(first.page) == []
+    first.page.tab.reload()
+    ready(first.page)
+    button(first.page, "Code for my teacher").click()
+    assert first.page.tab.locator(".class-code").inner_text() == first.code  # else a class would count it twice
+    page = first.page
+    with page.tab.expect_navigation():
+        page.tab.get_by_role("link", name="For teachers: read codes").click()
     page.laid_out()
-    reading(page)
-    put_in(page, [code])
-    found = tables(page)
-    assert [row[2] for row in found["1 code has an answer"]] == ["0 (0 %)", "1 (100 %)", "0 (0 %)"]
-    assert found["All codes"][0][3:5] == ["2 ✓right", "✓✓○○✓3 of 5"]
-    assert page.evaluate("() => strikewave.page.root.querySelector('.class-laid').ariaLabel").startswith(
-        "A chart: 1 line"
-    )
+    read_by_teacher(page, students)
 
 
 @pytest.mark.parametrize("size", [(1440, 900), (390, 844)])
