@@ -24,8 +24,9 @@ settings.load_profile("repeatable")
 
 # Files of few tests that take longest, begun first: else one core would wait at the end for what the other has begun.
 LONGEST = (
-    "test_form", "test_connection_page", "test_limits", "test_panels_page", "test_analyses", "test_figures_page",
-    "test_workspace_page", "test_provenance", "test_jit", "test_js", "test_docs", "test_workers", "test_main",
+    "test_module", "test_form", "test_language_page", "test_patterns", "test_estimates", "test_machines",
+    "test_connection_page", "test_limits", "test_panels_page", "test_analyses", "test_figures_page",
+    "test_workspace_page", "test_provenance", "test_js", "test_docs", "test_workers", "test_main",
 )  # fmt: skip
 
 

@@ -113,6 +113,7 @@ class Page:
         query: str = LABORATORY,
         size=(1440, 900),
         drawn: bool = True,
+        script: str = "",
         windows: Windows | None = None,
         **options,
     ):
@@ -132,6 +133,8 @@ class Page:
         }
         for name, listener in self.listeners.items():
             self.tab.on(name, listener)
+        if script:
+            self.tab.add_init_script(script)
         self.tab.goto(f"http://{address}/{query}")
         if drawn:
             self.laid_out()
@@ -271,10 +274,12 @@ def open_page(browser, server, windows):
     """Open the page; at the end it must have shown no error and asked nobody else for anything.
 
     `own`: in a window of its own, which has fetched nothing yet and takes whatever the test puts into it.
+    `script`: what such a window runs before the page; windows that are used again would run it for others.
     """
     opened: list[Page] = []
 
     def open_one(query: str = LABORATORY, own: bool = False, **options) -> Page:
+        assert own or "script" not in options
         opened.append(Page(browser, server, query, windows=None if own else windows, **options))
         return opened[-1]
 

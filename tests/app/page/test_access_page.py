@@ -107,17 +107,15 @@ def test_the_help_on_a_phone_is_of_fingers(open_page):
 
 
 def test_the_help_links_to_the_documentation_where_its_address_is_set(open_page):
-    page = open_page(drawn=False, own=True)
-    page.tab.add_init_script(
-        """document.addEventListener('readystatechange', () => {
+    page = open_page(
+        own=True,
+        script="""document.addEventListener('readystatechange', () => {
              const session = document.getElementById('session');
              if (!session || document.readyState !== 'interactive') return; // before any script reads it
              const said = { ...JSON.parse(session.textContent), documentation: 'https://a.org/b' };
              session.textContent = JSON.stringify(said);
-           });"""
+           });""",
     )
-    page.tab.reload()
-    page.laid_out()
     page.tab.get_by_role("button", name="Help").click()
     links = page.tab.get_by_role("dialog", name="Help").get_by_role("link")
     assert links.first.get_attribute("href") == "https://a.org/b/page.html"

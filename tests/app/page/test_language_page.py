@@ -100,10 +100,7 @@ def names() -> set[str]:
 def test_no_word_of_the_page_is_outside_its_catalogues(browser, bracketed):
     known, bare = names(), {}
     for query, acts in STATES.items():
-        page = Page(browser, bracketed, drawn=False, locale=LANGUAGE)
-        page.context.add_init_script(DRAWN)
-        page.tab.goto(f"http://{bracketed}/{query}")
-        page.laid_out()
+        page = Page(browser, bracketed, query, script=DRAWN, locale=LANGUAGE)
         for act in acts:
             page.evaluate(f"() => {{ {act}; }}")
         page.quiet()
@@ -131,10 +128,7 @@ def test_nothing_of_the_page_is_left_in_english_on_the_spanish_one(open_page):
     fixed = set(spanish.values())
     found, points = {}, {}
     for query, acts in STATES.items():
-        page = open_page(query, own=True, drawn=False, locale="es-CO")
-        page.context.add_init_script(DRAWN)
-        page.tab.reload()
-        page.laid_out()
+        page = open_page(query, own=True, script=DRAWN, locale="es-CO")
         for act in acts:
             page.evaluate(f"() => {{ {act}; }}")
         page.quiet()

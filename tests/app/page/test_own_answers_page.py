@@ -204,10 +204,7 @@ def test_what_it_cannot_the_server_answers(open_page, query):
 
 
 def test_without_webassembly_the_server_answers_alone(open_page):
-    page = open_page(own=True)
-    page.tab.add_init_script("delete globalThis.WebAssembly;")
-    page.tab.reload()
-    page.laid_out()
+    page = open_page(own=True, script="delete globalThis.WebAssembly;")
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('mass_ratio', 0.7)"))
     assert page.header("chosen")["mass_ratio"] == 0.7
     assert page.evaluate("() => strikewave.page.own.answers") is None

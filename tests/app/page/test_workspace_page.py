@@ -137,13 +137,11 @@ def test_docks_are_moved_and_folded_and_the_browser_remembers(open_page):
 
 
 def test_a_browser_that_keeps_nothing_shows_the_page_all_the_same(open_page):
-    page = open_page(drawn=False, own=True)
-    page.tab.add_init_script(
-        """for (const name of ['localStorage', 'sessionStorage'])
-             Object.defineProperty(window, name, { get() { throw new DOMException('no', 'SecurityError'); } });"""
+    page = open_page(
+        own=True,
+        script="""for (const name of ['localStorage', 'sessionStorage'])
+             Object.defineProperty(window, name, { get() { throw new DOMException('no', 'SecurityError'); } });""",
     )
-    page.tab.reload()
-    page.laid_out()
     page.tab.get_by_role("button", name="Controls", exact=True).click()
     expect(page.tab.get_by_role("slider", name="Mass ratio", exact=True)).to_be_hidden()
     assert page.errors == []
