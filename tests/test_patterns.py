@@ -62,6 +62,7 @@ def feed(pattern, searched, most):
             texts = slowest(match, texts, length, most)
 
 
+@pytest.mark.slow
 def test_a_cubic_pattern_would_be_found():
     cubic = re.compile(r"t(?:\s*\[\s*([^\]]*?)\s*\])?")
     with pytest.raises(AssertionError):
