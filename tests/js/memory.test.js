@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { URL } from 'node:url';
 import { kernelsOf } from '../../app/static/wasm/kernels.js';
 
 const MODULE = readFileSync(new URL('../../app/static/wasm/kernels.wasm', import.meta.url));

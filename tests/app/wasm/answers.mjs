@@ -1,11 +1,12 @@
 // Answers of the module for impacts that are read from standard input, on standard output.
 import { readFileSync } from 'node:fs';
-const [, , module, kernels] = process.argv;
+const [, , module, kernels, work] = process.argv;
 const { kernelsOf } = await import(kernels);
 const { chainImpact } = await import(kernels.replace('kernels.js', 'chain_kernel.js'));
 const { balanceImpact } = await import(kernels.replace('kernels.js', 'balance.js'));
 const { ofFrame } = await import(kernels.replace('kernels.js', 'modal.js'));
 const found = await kernelsOf(readFileSync(module));
+if (work) Object.assign(found, { longest: 1, pace: () => Number(work) });
 
 const drawn = ({ waveTime, wave, forceTime, force, mass, end, whole }) => ({
   ...{ wave_time: [...waveTime], wave: [...wave], force_time: [...forceTime], force: [...force] },
@@ -87,5 +88,11 @@ function balance([made, duration]) {
 
 const given = JSON.parse(readFileSync(0, 'utf8'));
 const each = { rod, law, modes, beam, spring, compact, chain, balance };
-const answers = Object.entries(each).map(([name, one]) => [name, (given[name] ?? []).map(one)]);
-console.log(JSON.stringify(Object.fromEntries(answers)));
+const done = {}; // steps, of those that count them
+const counted = (name, one) => (impact) => {
+  const answer = one(impact);
+  if (work) (done[name] ??= []).push(found.array(name, 'done', 1)[0]);
+  return answer;
+};
+const answers = Object.entries(each).map(([name, one]) => [name, (given[name] ?? []).map(counted(name, one))]);
+console.log(JSON.stringify({ ...Object.fromEntries(answers), done }));
