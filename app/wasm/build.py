@@ -27,7 +27,8 @@ from .entries import ENTRIES, room
 from .module import MODULE, named_in, signed
 
 TRIPLE = "wasm32-unknown-unknown"
-LINKER = ("-target", "wasm32-wasi", "-mexec-model=reactor", "-nostartfiles", "-O2", "-lm")
+STACK = "-Wl,-z,stack-size=262144"  # bytes, instead of 16 MB; it lies first, so that to overflow it is a trap
+LINKER = ("-target", "wasm32-wasi", "-mexec-model=reactor", "-nostartfiles", "-O2", "-lm", STACK)
 NO_COUNTING = ("NRT_incref", "NRT_decref")  # of references: all arrays are borrowed
 
 

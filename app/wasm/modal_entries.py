@@ -15,14 +15,15 @@ from solvers.numerics.waves.drawn import NO_ROOM
 from .entry import ANY_LAW, INSTANTS, INTEGERS, JUMPING, KINDS, LOSES, REMEMBERS, SPRING, Entry
 
 CONTACTS, MODES, STEPS, CHECKPOINTS = 64, 400, int(MOST_DRAWN), 17
-# of beams: twice the steps that most take with a rigid contact
+# of beams: steps at most, where nothing else bounds its time
 BEAM_CONTACTS, BEAM_MODES, BEAM_STEPS = 250, 48, 400_000
+BY_STEPS = {"histories": 10, "runs": 1}  # of the first the first row is the force over each step
 BEAM_INSTANTS, BEAM_CYCLE, BEAM_DEPTHS, LISTED, GROUPS = 500, 530, 60, 60, 10_000
 AnyStepped = any_stepped(KINDS)
 
 
 @numba.njit
-def march_room(modes, steps, checkpoints, histories, saved, saved_rates, oscillators, runs, slopes):
+def march_room(modes, steps, checkpoints, saved, saved_rates, oscillators, slopes, done, histories, runs):
     """Room for so many steps of so many oscillators."""
     n = steps + 1
     h, w = carray(histories, (10, n)), carray(oscillators, (10, modes))
@@ -32,7 +33,15 @@ def march_room(modes, steps, checkpoints, histories, saved, saved_rates, oscilla
     )  # fmt: skip
     bank = Bank(w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7])
     return modal_drawn.March(
-        record, bank, w[8], w[9], h[8], h[9], carray(runs, (steps // 2 + 1, 2)), carray(slopes, (2,))
+        record,
+        bank,
+        w[8],
+        w[9],
+        h[8],
+        h[9],
+        carray(runs, (steps // 2 + 1, 2)),
+        carray(slopes, (2,)),
+        carray(done, (1,)),
     )
 
 
@@ -47,14 +56,14 @@ def _law(constants, compliance):
 
 
 def modes(
-    beta, reflection, count, touching, duration, given, constants, shapes, oscillators, histories, saved, saved_rates,
-    runs, slopes, contacts, mass, end, out,
+    beta, reflection, count, touching, duration, given, room_for, constants, shapes, oscillators, saved, saved_rates,
+    slopes, done, contacts, mass, end, out, histories, runs,
 ):  # fmt: skip
     """A mass on a uniform rod by its lowest modes: `solvers.numerics.modal_drawn.answer`, in units T, v and Z v.
 
     touching: until the last parting by waves; given: or 0: its own modes, and those left out give way; 1: they do not;
     2: so, and frequencies and amplitudes stand in `shapes`; constants: those of the law and its number among KINDS;
-    negative: rigid.
+    negative: rigid; room_for: steps.
     """
     n, fixed = int(count), reflection > 0.0
     if n > MODES:
@@ -62,12 +71,14 @@ def modes(
     frequencies, at_contact, damping = carray(shapes, (3, n))
     own, rest = damping, uniform_rod(fixed, damping)  # k L, which is half of omega T
     steps = steps_drawn(np.pi / own[n - 1], touching, duration)
+    if steps > room_for:
+        return NO_ROOM
     for i in range(n):
         if given < 2.0:
             frequencies[i], at_contact[i] = 2.0 * own[i], 2.0
         damping[i] = 0.0
     period, compliance = 2.0 * np.pi / frequencies[n - 1], 0.0 if given > 0.0 else rest
-    room = march_room(n, steps, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
+    room = march_room(n, steps, CHECKPOINTS, saved, saved_rates, oscillators, slopes, done, histories, runs)
     c, step = carray(constants, (CONSTANTS + 1,)), duration / steps
     law, number, rigid = _law(c, compliance)
     spring = residual_spring(0.0 if rigid else compliance, step, period, JUMPING[number], REMEMBERS[number])
@@ -80,18 +91,18 @@ def modes(
 
 
 def beam(
-    mass, rigid_mass, whole, mean, count, compliance, longest, duration, constants, shapes, oscillators, histories,
-    saved, saved_rates, runs, slopes, contacts, drawn, rates, force, cycle, law_cycle, out,
+    mass, rigid_mass, whole, mean, count, compliance, longest, duration, room_for, constants, shapes, oscillators,
+    saved, saved_rates, slopes, done, contacts, drawn, rates, force, cycle, law_cycle, out, histories, runs,
 ):  # fmt: skip
     """A mass across what bends, by its modes: `solvers.numerics.modal_drawn.answer_of_beam`, in s, kg and v.
 
     shapes: frequencies, amplitudes where it is struck and damping ratios; duration: 0: as long as is usual.
     """
-    n = int(count)
+    n, steps = int(count), int(room_for)
     if n > BEAM_MODES:
         return NO_ROOM
     frequencies, at_contact, damping = carray(shapes, (3, n))
-    room = march_room(n, BEAM_STEPS, CHECKPOINTS, histories, saved, saved_rates, oscillators, runs, slopes)
+    room = march_room(n, steps, CHECKPOINTS, saved, saved_rates, oscillators, slopes, done, histories, runs)
     c, d = carray(constants, (CONSTANTS + 1,)), carray(drawn, (5, BEAM_INSTANTS))
     law, number, rigid = _law(c, compliance)
     path, curve = carray(cycle, (3, BEAM_CYCLE)), carray(law_cycle, (2, BEAM_DEPTHS))
@@ -126,26 +137,25 @@ FIGURES = {
 }
 
 
-def room_of(modes: int, steps: int, checkpoints: int = CHECKPOINTS) -> dict[str, int]:
+def room_of(modes: int, checkpoints: int = CHECKPOINTS) -> dict[str, int]:
     """What a march works in, and its law."""
     return {
         "constants": CONSTANTS + 1,
         "shapes": 3 * modes,
         "oscillators": 10 * modes,
-        "histories": 10 * (steps + 1),  # of which the first is the force over each step
         "saved": checkpoints * modes,
         "savedRates": checkpoints * modes,
-        "runs": 2 * (steps // 2 + 1),
         "slopes": 2,
+        "done": 1,
     }
 
 
 MODAL_ENTRIES = {
     "modes": Entry(
         modes,
-        6,
+        7,
         {
-            **room_of(MODES, STEPS),
+            **room_of(MODES),
             "contacts": modal_drawn.CONTACT_COLUMNS * CONTACTS,
             "mass": INSTANTS,
             "end": INSTANTS,
@@ -153,12 +163,14 @@ MODAL_ENTRIES = {
         },
         {"runs": INTEGERS},
         FIGURES,
+        BY_STEPS,
+        STEPS,
     ),
     "beam": Entry(
         beam,
-        8,
+        9,
         {
-            **room_of(BEAM_MODES, BEAM_STEPS),
+            **room_of(BEAM_MODES),
             "contacts": modal_drawn.CONTACT_COLUMNS * BEAM_CONTACTS,
             "drawn": 5 * BEAM_INSTANTS,
             "rates": 4 * LISTED,
@@ -169,5 +181,7 @@ MODAL_ENTRIES = {
         },
         {"runs": INTEGERS},
         FIGURES | {"step": modal_drawn.STEP, "duration": modal_drawn.DURATION, "half": modal_drawn.HALF},
+        BY_STEPS,
+        BEAM_STEPS,
     ),
 }

@@ -10,6 +10,9 @@ import * as sprung from './sprung.js';
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
 
+const LONGEST = 25; // ms that a kernel should take, at every picture: half of what it may, as impacts differ
+const REST = 5000; // ms without an answer, after which memory is given back
+
 /**
  * @typedef {{ follows: (frame: any, name: string) => boolean, is: (frame: any) => boolean,
  *   made: (kernels: Kernels, frame: any, chosen: Chosen) => Frame | null }} Kind
@@ -32,6 +35,8 @@ const KINDS = {
 const kindOf = (frame) => KINDS[frame.kind]?.find(({ is }) => is(frame));
 
 class Answers {
+  rest = 0; // until memory is given back
+
   /** @param {Kernels} kernels */
   constructor(kernels) {
     this.kernels = kernels;
@@ -51,16 +56,21 @@ class Answers {
    * @returns {Frame | null}
    */
   answer(frame, chosen) {
+    clearTimeout(this.rest);
+    this.rest = window.setTimeout(() => this.kernels.giveBack().catch(() => {}), REST); // or go on with what there is
     return kindOf(frame)?.made(this.kernels, frame, chosen) ?? null;
   }
 }
 
-/** @param {BufferSource} bytes  of the module */
-export const answersOf = async (bytes) => new Answers(await kernelsOf(bytes));
+/**
+ * @param {BufferSource} bytes  of the module
+ * @param {number} [longest]  ms for a kernel; where no server answers what takes longer, all that there is room for
+ */
+export const answersOf = async (bytes, longest) => new Answers(await kernelsOf(bytes, longest));
 
 /** @returns {Promise<Answers>} */
 export async function ownAnswers() {
   const fetched = await fetch(new URL('kernels.wasm', import.meta.url));
   if (!fetched.ok) throw new Error(`no module: ${fetched.status}`);
-  return answersOf(await fetched.arrayBuffer());
+  return answersOf(await fetched.arrayBuffer(), LONGEST);
 }

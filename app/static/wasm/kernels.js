@@ -1,16 +1,16 @@
-// The library's own kernels, compiled for browsers: the module, and the room that they work in.
-import { DASHPOTS, LAWS, OUT, ROOM } from './room.js';
+// The library's own kernels, compiled for browsers: what they are given, and what they give.
+import { Memory } from './memory.js';
+import { DASHPOTS, LAWS, ROOM } from './room.js';
 
-const [PAGE, NUMBER, ALIGNED] = [65536, 8, 64]; // bytes
 // numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py, and modal_drawn.py
 const CONTACT = { rod: 7, law: 5, modes: 5 };
+const ALONE = 50; // modes that a step of a march takes as long as, without any
 const MODES = { own: 0, stiff: 1, given: 2 }; // as in app/wasm/modal_entries.py
 const BESIDE = { power: 0, sine: 1, path: 2 }; // of two compact bodies: as in solvers/numerics/compact_drawn.py
 
 // of a beam: as in solvers/numerics/modal_drawn.py
 const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactorRate', 'struckRate']);
 
-/** @typedef {keyof typeof ROOM} Name  of a kernel */
 /** @import { LawRecord, MarchRecord } from '../messages.js' */
 
 /**
@@ -94,75 +94,13 @@ const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactor
  *   Record<'mass' | 'end' | 'forceTime' | 'force' | 'stress' | 'velocity' | 'displacement', Float64Array>} SprungImpact
  */
 
-export class Kernels {
-  /** @param {WebAssembly.Exports} exports */
-  constructor(exports) {
-    const { __heap_base: heap, memory } = /** @type {any} */ (exports);
-    this.exports = /** @type {Record<Name, (...numbers: number[]) => number>} */ (/** @type {unknown} */ (exports));
-    this.memory = /** @type {WebAssembly.Memory} */ (memory);
-    this.status = Math.ceil(heap.value / ALIGNED) * ALIGNED; // where a kernel leaves what it returns
-    /** @type {Record<string, Record<string, number>>} */
-    this.places = {}; // of each kernel: they work one after the other, all in the same room
-    /** @type {Record<string, number>} */
-    this.ends = {}; // of that room
-    for (const [name, sizes] of Object.entries(ROOM)) {
-      let at = this.status + ALIGNED;
-      this.places[name] = {};
-      for (const [array, size] of Object.entries(sizes)) {
-        this.places[name][array] = at;
-        at += Math.ceil((NUMBER * size) / ALIGNED) * ALIGNED;
-      }
-      this.ends[name] = at;
-    }
-  }
+export class Kernels extends Memory {
   /**
-   * Room for a kernel, made when it is first asked for; whether there is any.
-   * @param {Name} name
-   */
-  roomFor(name) {
-    const missing = this.ends[name] - this.memory.buffer.byteLength;
-    if (missing <= 0) return true;
-    try {
-      this.memory.grow(Math.ceil(missing / PAGE));
-    } catch {
-      return false; // a small device: others go on
-    }
-    return true;
-  }
-  /**
-   * @param {Name} name
-   * @param {string} array
-   * @param {number} size
-   */
-  array(name, array, size) {
-    return new Float64Array(this.memory.buffer, this.places[name][array], size);
-  }
-  /**
-   * Call a kernel; nothing where it has failed, or an impact has more contacts than there is room for.
-   * @param {Name} name
-   * @param {...number} numbers
-   */
-  call(name, ...numbers) {
-    const { status } = this;
-    if (!this.roomFor(name)) return null;
-    const failed = this.exports[name](status, status + NUMBER, ...numbers, ...Object.values(this.places[name]));
-    const [left] = new Int32Array(this.memory.buffer, status, 1);
-    if (failed || left) return null;
-    /** @type {Record<string, number>} */
-    const sizes = ROOM[name];
-    const out = this.array(name, 'out', sizes.out);
-    const read = (/** @type {string} */ array, size = sizes[array]) => this.array(name, array, size).slice();
-    /** @type {Record<string, number>} */
-    const figures = Object.fromEntries(Object.entries(OUT[name]).map(([each, place]) => [each, out[place]]));
-    return { figures, read };
-  }
-  /**
-   * Solve an impact.
+   * What a kernel of waves in a rod has left.
    * @param {'rod' | 'law'} name
-   * @param {...number} numbers
+   * @param {ReturnType<Memory['call']>} called
    */
-  #run(name, ...numbers) {
-    const called = this.call(name, ...numbers);
+  #waves(name, called) {
     if (!called) return null;
     const { figures, read } = called;
     const { compressing, duration, energy, forcePoints, impulse, target, wavePoints } = figures;
@@ -190,7 +128,7 @@ export class Kernels {
    * @returns {Impact | null}
    */
   rod(beta, reflection) {
-    const run = this.#run('rod', beta, reflection);
+    const run = this.#waves('rod', this.call('rod', beta, reflection));
     if (!run) return null;
     const contacts = run.rows.map(([start, end, before, after, peak]) => {
       return { start, end, push: (0.5 / beta) * (before - after), after, peak };
@@ -212,7 +150,7 @@ export class Kernels {
     const given = this.array('law', 'constants', ROOM.law.constants).fill(0);
     for (const end of [0, 1]) given.set([...constants], end * places);
     for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
-    const run = this.#run('law', beta, reflection, asked);
+    const run = this.#waves('law', this.follow('law', name, 2, 2, beta, reflection, asked));
     if (!run) return null;
     const { common, figures, read, rows } = run;
     const { apart, deepest, dent, dissipated, final } = figures;
@@ -237,7 +175,18 @@ export class Kernels {
     if (!this.roomFor('modes')) return null;
     this.#give('modes', law);
     if (of) this.array('modes', 'shapes', 2 * count).set([...of.frequencies, ...of.atContact]);
-    const called = this.call('modes', beta, reflection, count, touching, duration, MODES[kind]);
+    const called = this.follow(
+      'modes',
+      law.name,
+      count + ALONE,
+      1,
+      beta,
+      reflection,
+      count,
+      touching,
+      duration,
+      MODES[kind],
+    );
     if (!called) return null;
     const { figures, read } = called;
     const force = read('histories', figures.steps);
@@ -315,7 +264,20 @@ export class Kernels {
     if (!this.roomFor('beam')) return null;
     this.#give('beam', law);
     this.array('beam', 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
-    const called = this.call('beam', mass, rigidMass, whole, mean, count, compliance, longest, duration);
+    const called = this.follow(
+      'beam',
+      law.name,
+      count + ALONE,
+      1,
+      mass,
+      rigidMass,
+      whole,
+      mean,
+      count,
+      compliance,
+      longest,
+      duration,
+    );
     if (!called) return null;
     const { figures, read } = called;
     const { contacts, deepest, dent, half, step, steps } = figures;
@@ -388,9 +350,10 @@ export function rowsOf(columns, count, read) {
 
 /**
  * @param {BufferSource} bytes
+ * @param {number} [longest]  ms for a kernel: see `Memory`
  * @returns {Promise<Kernels>}
  */
-export async function kernelsOf(bytes) {
-  const { instance } = await WebAssembly.instantiate(bytes);
-  return new Kernels(instance.exports);
+export async function kernelsOf(bytes, longest = Infinity) {
+  const { instance, module } = await WebAssembly.instantiate(bytes);
+  return new Kernels(module, instance, longest);
 }

@@ -35,9 +35,12 @@ QUIET = {
 Answers = dict[str, list[Any]]  # by the kind of impact; nothing of one that the module leaves to the server
 
 
-def by_node(given: Answers, module: Path = MODULE) -> Answers:
-    """Of impacts, by their kinds; CalledProcessError where Node fails."""
-    command = ["node", HERE / "node.mjs", module]
+def by_node(given: Answers, module: Path = MODULE, work: float = 0.0) -> Answers:
+    """Of impacts, by their kinds; CalledProcessError where Node fails.
+
+    work: for each of kernels that count their steps, times what a step takes, which is then beside under `done`.
+    """
+    command = ["node", HERE / "node.mjs", module, str(work)]
     done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, check=True)
     return json.loads(done.stdout)
 

@@ -38,6 +38,7 @@ MOST_ATTACHED = 100
 ACROSS, BEAM_MODES, FEW_CONTACTS = 300, (1, 5, 10, 30), 6
 BETWEEN = 1e-3  # of the largest value: what straight lines between other instants differ by
 NEARLY_FULL = 0.75  # of the stretches that there is room for
+BOUND, ALONE = 60, 50  # impacts; modes that a step takes as long as by itself, as in app/static/wasm/kernels.js
 DRAWN_TOO = 40  # of them, the histories as well: they are long
 
 
@@ -191,6 +192,39 @@ def test_what_is_drawn_through_a_law_is_the_solution(name, kind):
     rows = np.array(found["contacts"]).reshape(-1, 5)
     known = [[c.start / trip, c.end / trip, c.impulse / force / trip, c.peak_force / force] for c in solution.contacts]
     assert rows[:, :4] == pytest.approx(np.array(known), rel=1e-8, abs=1e-9)
+
+
+@pytest.mark.browser  # needs Node
+@pytest.mark.parametrize(("kernel", "share"), [("law", 0.5), ("modes", 0.5), ("beam", 0.5), ("beam", 0.9)])
+def test_no_kernel_does_more_than_is_allowed_and_what_it_does_is_the_same(kernel, share):
+    given = {
+        "law": lambda: impact_of(random_scene()),
+        "modes": lambda: (lambda scene, *counted: [*impact_of(scene)[:4], *counted])(*random_march()),
+        "beam": lambda: struck_by(*random_beam()),
+    }[kernel]
+    asked = {kernel: [given() for _ in range(BOUND)]}
+    free, needed = bound(asked, kernel, 1e12)
+    work = {"law": [2] * BOUND}.get(kernel) or [ALONE + modes_in(each) for each in asked[kernel]]
+    allowed = float(np.quantile([steps * each for steps, each in zip(needed, work, strict=True)], share))
+    found, done = bound(asked, kernel, allowed)
+    for k in range(BOUND):
+        assert done[k] * work[k] <= allowed
+        assert found[k] in (free[k], {})
+        if kernel != "law":  # of whose two ends either may be the busier
+            assert bool(found[k]) == (bool(free[k]) and needed[k] * work[k] <= allowed)
+        if kernel == "modes":
+            assert done[k] == (needed[k] if found[k] else 0)  # known before
+    assert sum(map(bool, found)) < sum(map(bool, free))
+
+
+def modes_in(given: list) -> int:
+    return given[4] if isinstance(given[0], float) else len(given[0]["march"]["frequencies"])
+
+
+def bound(given: dict[str, list], kernel: str, work: float) -> tuple[list[dict], list[float]]:
+    """Answers with so much work for each, and how many steps each took."""
+    found: dict = by_node(given, work=work)
+    return found[kernel], found["done"][kernel]
 
 
 @pytest.mark.slow
