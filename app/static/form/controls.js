@@ -80,10 +80,25 @@ export class Controls {
   }
   /** @param {string} name */
   #slider(name) {
+    return new Slider(name, LABELS[name], this.#boundsOf(name), (value) => this.send(name, value));
+  }
+  /** @param {string} name */
+  #boundsOf(name) {
     const { high, low } = this.spec[name];
     const [least, most] = this.held.bounds.get(name) ?? [low, high];
-    const bounds = { ...this.spec[name], low: least, high: most };
-    return new Slider(name, LABELS[name], bounds, (value) => this.send(name, value));
+    return { ...this.spec[name], low: least, high: most };
+  }
+  /**
+   * Sliders that a step of a lesson bounds; all others reach as far as they can.
+   * @param {Record<string, [low: number, high: number]>} bounds
+   */
+  bound(bounds) {
+    const before = this.held.bounds;
+    this.held.bounds = new Map(Object.entries(bounds));
+    for (const name of new Set([...before.keys(), ...this.held.bounds.keys()])) {
+      const field = this.fields[name];
+      if (field instanceof Slider) field.reach(this.#boundsOf(name));
+    }
   }
   /**
    * `refused`: back to this value, also where the hand still holds the slider.

@@ -8,7 +8,7 @@ import { NumberField } from './number_field.js';
 /** @import { Bounds } from '../wire/model.js' */
 
 const STEPS = 1000;
-const FAR = 100; // times the lowest value: a slider that reaches so far is logarithmic
+const FAR = 10; // times the lowest value: a slider that reaches so far is logarithmic
 /** @type {Record<string, number>} */
 const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 
@@ -24,14 +24,14 @@ export class Slider {
    */
   constructor(name, { title, unit = '', beside = unit }, bounds, send) {
     this.beside = beside;
-    this.log = bounds.low > 0 && bounds.high >= FAR * bounds.low;
     this.bounds = bounds;
     this.send = send;
     const id = `choice-${name}`;
     this.range = make('input', { type: 'range', id, min: 0, max: STEPS, step: 1 });
-    const { low: least, high: most, whole } = bounds;
+    const { whole } = bounds;
     const shown = (/** @type {number} */ value) => (whole ? String(value) : pretty(value));
-    this.number = new NumberField({ control: title, sign: unit, whole }, () => [least, most], shown, send);
+    const ends = () => /** @type {[low: number, high: number]} */ ([this.bounds.low, this.bounds.high]);
+    this.number = new NumberField({ control: title, sign: unit, whole }, ends, shown, send);
     const { input, wrong, complain } = this.number;
     this.complain = complain;
     input.ariaLabel = text('controls.exact-value', { title });
@@ -47,12 +47,25 @@ export class Slider {
     const { low, high } = family(`ends.${name}`);
     if (low && high) this.root.append(make('p', { className: 'ends' }, make('span', {}, low), make('span', {}, high)));
   }
+  get log() {
+    return this.bounds.low > 0 && this.bounds.high >= FAR * this.bounds.low;
+  }
+  /**
+   * Other ends, between which what is shown is found again.
+   * @param {Bounds} bounds
+   */
+  reach(bounds) {
+    this.bounds = bounds;
+    this.held = false;
+    if (!Number.isNaN(this.shown)) this.set(this.shown, false);
+  }
   /** @param {number} place */
   #toValue(place) {
     const { low, high, whole } = this.bounds;
     const share = place / STEPS;
     const value = this.log ? low * (high / low) ** share : low + (high - low) * share;
-    return whole ? Math.round(value) : Number(value.toPrecision(this.log ? 3 : 12));
+    const rounded = whole ? Math.round(value) : Number(value.toPrecision(this.log ? 3 : 12));
+    return Math.min(Math.max(rounded, low), high); // also where an end has more digits
   }
   /** @param {number} value */
   #toPlace(value) {

@@ -57,7 +57,12 @@ export class Goal {
   }
   /** What the page is to show: the slider where it was left. */
   get choices() {
-    return { [this.part.slider]: this.answer.place };
+    const [low, high] = this.part.range;
+    return { [this.part.slider]: Math.min(Math.max(this.answer.place, low), high) };
+  }
+  /** How far the slider reaches. */
+  get bounds() {
+    return { [this.part.slider]: this.part.range };
   }
   /** @param {Frame} frame */
   load(frame) {

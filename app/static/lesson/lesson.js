@@ -198,6 +198,7 @@ export class Lesson {
     this.coming = true;
     this.first.lay(this.at, false);
     page.player.bound(0);
+    page.controls.bound({}); // else the way to this step would be held by those of the one before
     this.speak('');
     this.#render();
     this.keep();
@@ -217,6 +218,7 @@ export class Lesson {
     this.coming = false;
     this.awaited.over(this.bar.root);
     this.first.lay(this.at, (this.sliders ?? []).length > 0);
+    this.page.controls.bound(this.question?.bounds ?? {});
     this.load(frame);
     this.below.show(this.below.names, true);
     this.#begin();

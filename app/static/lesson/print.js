@@ -125,6 +125,7 @@ export class Print {
     const { at } = lesson;
     lesson.page.root.classList.add('printing'); // where pictures are as wide as a sheet
     lesson.awaited.begin(true); // nobody sees steps that are still ahead
+    lesson.page.controls.bound({}); // which are not held by the slider of this one
     for (const k of lesson.record.steps.keys()) await this.#still(k);
     lesson.page.root.classList.remove('printing');
     lesson.enter(at, false);

@@ -19,6 +19,7 @@ import { Sketch } from './sketch.js';
  * @property {boolean} [tried]  whether it was, in vain perhaps
  * @property {HTMLElement} [chart]  that stands in the place of the rows
  * @property {Record<string, number>} [choices]  of the page, that it is about
+ * @property {Record<string, [low: number, high: number]>} [bounds]  between which these may be
  * @property {boolean} [predicts]  what happens is not to be seen before
  * @property {(frame: Frame) => void} [load]
  * @property {(t: number) => void} [show]

@@ -169,7 +169,7 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     "query, size, words",
     [
         ("?scene=hammer-on-cantilever", (1280, 720), ("Save", "Link for a class")),
-        ("?scene=spinning-ball&language=es", (390, 844), ("Descargar", "Enlace para una clase")),
+        ("?scene=spinning-ball&language=es", (390, 844), ("Exportar", "Enlace para una clase")),
     ],
 )
 def test_the_form_of_links_breaks_no_rule_of_access_and_fits(open_page, query, size, words):
