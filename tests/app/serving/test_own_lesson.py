@@ -160,6 +160,7 @@ def test_scenes_that_take_long_are_given_up_and_the_lesson_is_opened_all_the_sam
     assert json.loads(try_own(text.encode(), "en")) == {"whole": False}
 
 
+@pytest.mark.slow
 def test_the_slowest_scenes_of_several_visitors_hold_up_nobody(server):
     """20 steps each, every one another impact with a goal that no place meets, hundreds of solves."""
     fence_ = ':::{{scene}}\nscene = "free-rod"\nchanges = {{ law = "hertz", mass_ratio = {ratio} }}\n:::\n'
