@@ -255,6 +255,7 @@ def test_work_of_processes_that_are_stopped_is_done_by_another(level, caplog):
     assert "compute did not go on" in caplog.text
 
 
+@pytest.mark.slow
 def test_what_computes_or_waits_for_a_processor_is_not_taken_to_hang(monkeypatch, caplog):
     monkeypatch.setattr("app.jobs.workers.STILL_SECONDS", 0.5)
     monkeypatch.setattr("app.jobs.workers.LOOK_SECONDS", 0.05)
