@@ -26,7 +26,7 @@ from ..text.catalogues import direction, of_browser, page
 from ..wasm.covered import covered_of
 from ..wasm.module import MODULE, named_in, sources
 from .bundle import function
-from .pages import LATE, SHEETS, text_of
+from .pages import LATE, SHEETS, styles, text_of
 from .still import first_still
 
 HERE = Path(__file__).parent
@@ -36,6 +36,8 @@ OF_LESSONS = ("lesson/lesson.js", "courses/courses.js")  # before these, and the
 TEXTS_OF_LESSONS = ("lesson.", "class.")
 REFUSING = ("refusals.", "allowed.")
 WITHOUT = ("mechanism", "space")  # kinds of scene that no kernel here answers
+ANALYSES = ("plan", "record", "stability", "tolerance", "tradeoff", "trust")  # which a server makes
+UNUSED = ("space/stage.css", *(f"panels/{each}.css" for each in ANALYSES))
 CYCLE = ("cycleDepth", "cycleLoading", "cycleUnloading", "blowForce", "touchTime", "touchPressure")
 REMADE = {  # by kind of message: histories that kernels make anew, or that only a server has of other choices
     "axial": ("f0Time", "f0", "motionTime", "exactMass", "exactEnd", "exactWhole", "exactTime", "exactForce", *CYCLE),
@@ -106,7 +108,8 @@ def export(folder: Path, laboratory: str, language: str, lessons: bool = False) 
         "scenes.js": _scenes(names, laboratory, language, taught),
         "page.js": function(STATIC, entries, "strikewavePage", WITHOUT).encode(),
         "start.js": text_of(STATIC / "offline/start.js"),
-        **{name: text_of(STATIC / name) for name in (SHEETS, *sheets)},
+        SHEETS: styles(UNUSED),
+        **{name: text_of(STATIC / name) for name in sheets},
     }
     for name, content in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)

@@ -4,6 +4,7 @@ import gzip
 import json
 import os
 import re
+from collections.abc import Container
 from functools import cache
 from hashlib import sha256
 from html import escape
@@ -139,13 +140,21 @@ class Page(RequestHandler):
 
 
 @cache
+def styles(without: Container[str] = ()) -> bytes:
+    """The sheets of the component in one, as it is sent; without these."""
+
+    def sheet(found: re.Match[str]) -> str:
+        return "" if found[1] in without else (STATIC / found[1]).read_text("utf-8")
+
+    return SPARE.sub("", IMPORT.sub(sheet, (STATIC / SHEETS).read_text("utf-8"))).encode()
+
+
 def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
     if file == STATIC / ENTRY:
         return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode()
     if file == STATIC / SHEETS:
-        whole = IMPORT.sub(lambda found: (STATIC / found[1]).read_text("utf-8"), file.read_text("utf-8"))
-        return SPARE.sub("", whole).encode()
+        return styles()
     name = file.relative_to(STATIC).as_posix() if file.is_relative_to(STATIC) else ""
     return bundle(STATIC, name, beside=(ENTRY, *APART[name])).encode() if name in APART else file.read_bytes()
 

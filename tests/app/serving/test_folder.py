@@ -9,7 +9,8 @@ import pytest
 import solvers
 from app.choices.choices import SCENES
 from app.command.main import main
-from app.serving.folder import script
+from app.serving.folder import UNUSED, script
+from app.serving.pages import SHEETS, STATIC
 from app.wasm.covered import covered_of
 from app.wasm.module import signed
 from solvers.bodies import SpringMass
@@ -39,6 +40,8 @@ def test_it_is_small_and_names_nothing_elsewhere(folder):
     assert {path.suffix for path in files} == {".html", ".js", ".css"}
     document = (folder / "index.html").read_text("utf-8")
     assert "http:" not in document and "https:" not in document and 'type="module"' not in document
+    sheets = (STATIC / SHEETS).read_text("utf-8")
+    assert all(f"./{sheet}" in sheets for sheet in UNUSED)  # else nothing is left out
 
 
 def test_what_is_no_folder_or_no_address_is_refused_in_one_line(tmp_path, capsys):
