@@ -96,3 +96,27 @@ def test_a_chart_until_an_event_is_as_long_as_that_of_its_own_scene(changed, ste
     page.laid_out()
     ready(page)
     assert page.evaluate(UNTIL) == end and judged(page) == before
+
+
+@pytest.mark.parametrize(("size", "step"), [((1440, 900), 1), ((390, 844), 2)])
+def test_why_a_scene_is_refused_stays_where_its_picture_would_be(changed, size, step):
+    def change(steps) -> None:
+        steps[step - 1]["choices"] = {"mass_ratio": -1}
+
+    page = changed(change, 1, size=size)
+    if step == 2:
+        page.wait(READY)
+        ready(page)
+        button(page, "Skip →").click()
+    why = page.tab.locator(".lesson-refused")
+    expect(why).to_contain_text("Mass ratio")
+    page.evaluate("() => { strikewave.page.toast.root.hidden = true; }")  # as it is after a while
+    expect(why).to_be_visible()
+    expect(page.tab.locator(".waiting")).to_be_hidden()
+    expect(page.tab.locator(".player")).to_be_hidden()
+    assert why.bounding_box() == pytest.approx(page.tab.locator(".stages").bounding_box(), abs=2)
+    page.fits(size[0])
+    assert findings(page) == []
+    onwards(page, "Skip →")
+    expect(why).to_have_count(0)
+    expect(page.tab.locator(".stages")).to_be_visible()
