@@ -5,6 +5,7 @@ import { text } from '../text/catalogue.js';
 import { engineering, figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
+import { refusalIn } from '../wire/model.js';
 import { Bar } from './bar.js';
 import { Below } from './below.js';
 import { Coming } from './coming.js';
@@ -207,8 +208,9 @@ export class Lesson {
     const own = this.at;
     this.second.want(beside && Object.keys(beside).length ? { ...this.#settings, ...beside } : null);
     page.goTo(this.#settings, (frame) => {
-      if (frame && own === this.at) this.#arrive(frame);
-      else this.awaited.end();
+      if (own !== this.at) this.awaited.end();
+      else if (frame) this.#arrive(frame);
+      else this.awaited.refuse(refusalIn(page.model));
     });
     if (this.coming) this.awaited.begin(first);
     page.history.write();

@@ -6,7 +6,7 @@ import { figures } from '../text/format.js';
 import { mainButton, signOf } from './answered.js';
 import * as drawing from './drawing.js';
 import { curveOf, timeOf, valueOf } from './events.js';
-import { judged } from './judge.js';
+import { BIN, judged } from './judge.js';
 import { Drawn, pointsOf } from './line.js';
 import { elementsOf, wordsOf } from './nodes.js';
 
@@ -47,8 +47,9 @@ export class Sketch {
     this.lesson = lesson;
     this.part = part;
     this.answer = lesson.answerOf(part.name, { line: null, done: false, laid: false, late: false, outcomes: [] });
-    const until = timeOf(part.until, lesson.events) || 1;
-    this.drawn = new Drawn({ axis: part.axis, given: part.given, until }, this.answer.line);
+    const { line } = this.answer;
+    this.measured = typeof part.until === 'number';
+    this.drawn = this.#blank(this.measured ? part.until : line ? (line.length - 1) * BIN : 1);
     this.root = make('div', { className: 'lesson-sketch' });
     this.name = text('lesson.axis', { track: TRACKS[part.track], unit: part.unit });
     this.chart = this.#chart();
@@ -60,6 +61,18 @@ export class Sketch {
   /** Whether the rows stand in the place of the chart. */
   get laid() {
     return this.answer.done && this.answer.laid;
+  }
+  /** @param {number} until  [T] */
+  #blank(until) {
+    const { axis, given } = this.part;
+    return new Drawn({ axis, given, until }, this.answer.line);
+  }
+  /** The scene is there, and with it the event until which one draws; from now on the chart stays as long. */
+  #measure() {
+    this.measured = true;
+    this.drawn = this.#blank(timeOf(this.part.until, this.lesson.events) || 1);
+    this.#render();
+    this.draw();
   }
   #chart() {
     const { canvas, name, plot, points, sheet, tools } = this;
@@ -181,9 +194,10 @@ export class Sketch {
   #enable() {
     this.#call();
     this.show_.disabled = !this.#whole;
-    this.hint.textContent = this.#whole
-      ? ''
-      : text('lesson.draw-on', { begun: this.drawn.begun, until: this.lesson.timeWords(this.drawn.until) });
+    this.hint.textContent =
+      this.#whole || !this.measured
+        ? ''
+        : text('lesson.draw-on', { begun: this.drawn.begun, until: this.lesson.timeWords(this.drawn.until) });
   }
   #render() {
     const { answer } = this;
@@ -254,7 +268,9 @@ export class Sketch {
   }
   /** @param {Frame} frame */
   load(frame) {
-    if (this.lesson.coming || !this.done) return; // nothing of what happens is here before
+    if (this.lesson.coming) return;
+    if (!this.measured) this.#measure();
+    if (!this.done) return; // nothing of what happens is here before
     const { judges, unit } = this.part;
     this.curve = curveOf(frame, FACTORS[unit] ?? 1);
     const { events } = this.lesson;
@@ -293,7 +309,7 @@ export class Sketch {
   }
   draw() {
     const { drawn, lit, done } = this;
-    if (!this.chart.isConnected) return;
+    if (!this.chart.isConnected || !this.measured) return;
     const sheet = cleared(this.canvas, this.sheet);
     if (!sheet) return;
     const { c, height, width } = sheet;

@@ -1,10 +1,15 @@
 """What a step of a lesson bounds or measures once its scene is there: how far its slider reaches, and its chart."""
 
+import pytest
 from playwright.sync_api import expect
 
-from .test_access_page import findings
-from .test_lesson_page import LESSON, button, onwards, ready
+from app.lessons.record import lesson_record
+from app.lessons.shipped import shipped_lesson
 
+from .test_access_page import findings
+from .test_lesson_page import LATE, LESSON, READY, button, drawn, judged, onwards, ready
+
+UNTIL = "() => strikewave.page.opening.teaching.lesson.question.drawn.until"
 ONCE = "() => strikewave.page.opening.teaching.lesson.progress.answers.once"
 
 
@@ -48,3 +53,70 @@ def test_where_a_slider_was_left_beyond_its_range_it_begins_at_its_end(open_page
     page.laid_out()
     ready(page)
     assert mass_ratio(page) == 10
+
+
+@pytest.fixture
+def changed(open_page):
+    """Open a step of a lesson whose record was changed on its way."""
+
+    def opened(change, step: int, **how):
+        record = lesson_record(shipped_lesson("bounce-twice"))
+        change(record["steps"])
+        page = open_page("", own=True, **how)
+        page.tab.route("**/lessons/bounce-twice*", lambda route: route.fulfill(json=record))
+        page.tab.goto(f"http://{page.address}/{LESSON}&step={step}")
+        return page
+
+    return opened
+
+
+def until_the_end(steps) -> None:
+    sketch = next(part for part in steps[1]["parts"] if part["kind"] == "sketch")
+    sketch["until"] = "part-2"
+
+
+@pytest.mark.parametrize("step", [1, 2])
+def test_a_chart_until_an_event_is_as_long_as_that_of_its_own_scene(changed, step):
+    def change(steps) -> None:
+        until_the_end(steps)
+        steps[0]["choices"] = {"mass_ratio": 2.0}  # where they part at another time
+
+    page = changed(change, step)
+    page.wait(READY)
+    ready(page)
+    if step == 1:
+        onwards(page, "Skip →")
+    end = page.evaluate(UNTIL)
+    assert end == pytest.approx(page.evaluate("() => strikewave.page.frame.exact.contacts[1][1]"))
+    expect(page.tab.locator(".lesson-asked .lesson-hint")).to_contain_text("2.2 T")
+    drawn(page, [(min(t / end, 1) * 2.6, force) for t, force in LATE])
+    button(page, "Show what happens").click()
+    before = judged(page)
+    page.tab.reload()
+    page.laid_out()
+    ready(page)
+    assert page.evaluate(UNTIL) == end and judged(page) == before
+
+
+@pytest.mark.parametrize(("size", "step"), [((1440, 900), 1), ((390, 844), 2)])
+def test_why_a_scene_is_refused_stays_where_its_picture_would_be(changed, size, step):
+    def change(steps) -> None:
+        steps[step - 1]["choices"] = {"mass_ratio": -1}
+
+    page = changed(change, 1, size=size)
+    if step == 2:
+        page.wait(READY)
+        ready(page)
+        button(page, "Skip →").click()
+    why = page.tab.locator(".lesson-refused")
+    expect(why).to_contain_text("Mass ratio")
+    page.evaluate("() => { strikewave.page.toast.root.hidden = true; }")  # as it is after a while
+    expect(why).to_be_visible()
+    expect(page.tab.locator(".waiting")).to_be_hidden()
+    expect(page.tab.locator(".player")).to_be_hidden()
+    assert why.bounding_box() == pytest.approx(page.tab.locator(".stages").bounding_box(), abs=2)
+    page.fits(size[0])
+    assert findings(page) == []
+    onwards(page, "Skip →")
+    expect(why).to_have_count(0)
+    expect(page.tab.locator(".stages")).to_be_visible()
