@@ -66,7 +66,9 @@ def _object() -> bytes:
     for each in module.functions:
         if not each.is_declaration and each.name not in ENTRIES:
             each.linkage = "internal"
-    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=3))
+    tuning = llvm.create_pipeline_tuning_options(speed_level=3)
+    tuning.loop_unrolling = False  # a sixth of the module, and nothing is slower
+    builder = llvm.create_pass_builder(machine, tuning)
     builder.getModulePassManager().run(module, builder)
     if "inttoptr (i64" in str(module):
         raise ValueError("an address of this process is left in the code")
