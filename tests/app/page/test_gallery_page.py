@@ -56,6 +56,25 @@ def test_a_scene_is_chosen_by_its_picture_and_nothing_is_fetched_before(open_pag
     expect(page.tab.locator(".field-scene .title")).to_contain_text("Newton's cradle")
 
 
+@pytest.mark.parametrize("size", [(390, 844), (820, 1180), (1280, 720)], ids=str)
+def test_lessons_are_named_where_the_page_opens_and_lie_on_nothing(open_page, size):
+    page = open_page("", size=size)
+    button = page.tab.get_by_role("button", name="Lessons", exact=True)
+    words = page.evaluate(
+        """() => {
+          const range = document.createRange();
+          range.selectNodeContents(strikewave.page.root.querySelector('.ask h2'));
+          return [...range.getClientRects()].map(({ left, top, right, bottom }) => [left, top, right, bottom]);
+        }"""
+    )
+    box = button.bounding_box()
+    right, bottom = box["x"] + box["width"], box["y"] + box["height"]
+    assert right <= size[0] and words
+    assert not any(box["x"] < x1 and right > x0 and box["y"] < y1 and bottom > y0 for x0, y0, x1, y1 in words)
+    button.click()
+    expect(gallery(page).get_by_role("heading", name="Lessons", exact=True)).to_be_visible()
+
+
 def test_the_scene_stays_until_one_is_chosen(open_page):
     page = open_page("?scene=free-rod")
     page.tab.keyboard.press("g")
