@@ -89,6 +89,10 @@ def test_lines_that_cannot_be_read_are_named_with_their_reason(open_page):
     page.laid_out()
     reading(page)
     expect(page.tab.locator(".class-count")).to_have_text("1 code is read, 5 lines are not:")  # of this tab
+    put_in(page, [f"Ann {first}, Ben {second[:30]}", f"{second[30:]} Carla"])
+    expect(page.tab.locator(".class-count")).to_have_text("2 codes are read, 1 line is not:")
+    expect(page.tab.locator(".class-unread")).to_contain_text("A name stands before its code")
+    assert [row[1] for row in tables(page)["All codes"]] == ["Ann", "Ben"]
     put_in(page, ["x"] * 503)
     expect(page.tab.locator(".class-unread li").first).to_have_text(
         "500 lines can be read at once. The 3 lines after them are left out: read them by themselves."
