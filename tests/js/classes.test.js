@@ -40,16 +40,86 @@ test('a name may stand before a code, which may be broken up', () => {
   }
 });
 
+const number = (value) => ({ q: { picked: 0 }, back: { value, unit: 'µs', tries: 1, right: false } });
+const CODES = [CODE, codeOf(RECORD, number(3), 11), codeOf(RECORD, number(4), 12)];
+
+test('all codes of a line are read, each with the name before it', () => {
+  const [one, two, three] = CODES;
+  const forms = {
+    [`${one} ${two}`]: ['', ''],
+    [`${one}, ${two}; ${three}`]: ['', '', ''],
+    [`${one}|${two}/${three}`]: ['', '', ''],
+    [`Ann: ${one}, Ben O'Hara - ${two.replaceAll('-', ' ')} "Doe, C." ${three}`]: ['Ann', "Ben O'Hara", 'Doe, C.'],
+    [Array.from({ length: 30 }, (_, k) => `N${k} ${codeOf(RECORD, number(5), 20 + k)}`).join(' ')]: Array.from(
+      { length: 30 },
+      (_, k) => `N${k}`,
+    ),
+  };
+  for (const [line, names] of Object.entries(forms)) {
+    const { rows, unread } = readLines(RECORD, line);
+    assert.deepEqual([unread, rows.map(({ name }) => name)], [[], names], line);
+    assert.ok(rows.every((row) => row.line === 1));
+  }
+  const found = readLines(RECORD, CODES.join(' ')).rows;
+  assert.deepEqual(
+    found.map(({ code, given: { back } }) => [code, back.value]),
+    [
+      [one, -58.2],
+      [two, 3],
+      [three, 4],
+    ],
+  );
+});
+
+test('what of a line cannot be read is said, and no name is made of it', () => {
+  const [one, two, three] = CODES;
+  const wrong = `${two.slice(0, -1)}E`;
+  const swapped = two.slice(0, 5) + two[6] + two[5] + two.slice(7);
+  const read = (line) => {
+    const { rows, unread } = readLines(RECORD, line);
+    return [rows.map(({ name }) => name), unread.map((each) => each.words + each.why + each.sign)];
+  };
+  assert.notEqual(two[5], two[6]);
+  assert.deepEqual(read(`Ann ${one} Ben ${wrong} Carl ${three}`), [
+    ['Ann', 'Carl'],
+    [`Ben ${wrong}`.slice(0, 40) + 'signE'],
+  ]);
+  assert.deepEqual(read(`${swapped} Ben ${three}`), [['Ben'], [`${swapped}check`]]);
+  assert.deepEqual(read(`Ann ${one} Ben ${swapped}`), [['Ann'], [`Ben ${swapped}check`]]);
+  assert.deepEqual(read(`Ann ${one} 8 b`), [['Ann'], ['8 bwords']]);
+  assert.deepEqual(read(`${one} ${one}`), [[''], [`${one} ${one}`.slice(0, 40) + 'twice']]);
+});
+
+test('a code that is broken over lines is read, with the name before it', () => {
+  for (const at of [5, 9, 12]) {
+    const { rows, unread } = readLines(RECORD, `Ann ${CODE.slice(0, at)}\n${CODE.slice(at)}\nBen ${CODES[1]}`);
+    assert.deepEqual(
+      [unread, rows.map(({ line, name }) => [line, name])],
+      [
+        [],
+        [
+          [1, 'Ann'],
+          [3, 'Ben'],
+        ],
+      ],
+    );
+  }
+  const wrong = CODE.slice(0, -1) + (CODE.endsWith('B') ? 'C' : 'B');
+  assert.deepEqual(readLines(RECORD, `Ann ${wrong.slice(0, 7)}\n${wrong.slice(7)}`).rows, []);
+});
+
 test('why a line is not read', () => {
   const why = (line) => readLines(RECORD, line).unread.map((each) => each.why + each.sign);
   assert.deepEqual(why('Ben BCDF-GHJK'), ['short']);
-  assert.deepEqual(why('just words'), ['short']);
+  assert.deepEqual(why('just words'), ['words']);
+  assert.deepEqual(why(`${CODE} Ann\nAnn Schulze-Lange`), ['words', 'words']);
   assert.deepEqual(why(`Ben ${CODE.slice(0, -1)}E`), ['signE']);
   assert.deepEqual(why(`Ben ${CODE.slice(0, -1)}${CODE.endsWith('B') ? 'C' : 'B'}`), ['check']);
   assert.deepEqual(why(codeOf({ ...RECORD, lesson: 'two' }, given, 5)), ['other']);
   assert.deepEqual(why(`A ${CODE}\nB ${CODE}`), ['twice']);
   const { beyond, unread } = readLines(RECORD, 'x\n'.repeat(MOST + 2));
   assert.deepEqual([beyond, unread.length], [2, MOST]);
+  assert.equal(readLines(RECORD, `${'x'.repeat(60_000)}\n`.repeat(3)).beyond, 2);
 });
 
 test('numbers are counted by size, the usual mistakes and others apart', () => {

@@ -2,6 +2,7 @@
 import { headOf, make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
+import { signOf } from '../lesson/answered.js';
 import { questionsOf } from '../lesson/code.js';
 import { saidRight } from './sums.js';
 
@@ -10,20 +11,24 @@ import { saidRight } from './sums.js';
 /** @import { Part } from '../lesson/questions.js' */
 /** @import { Row } from './lines.js' */
 
-/** @param {Answer} given */
-const triesOf = ({ right = false, tries = 0 }) => [
-  ...[' ', text('class.tried', { count: tries }), ' '],
-  saidRight(right),
+/**
+ * What was answered first, and what came of all tries.
+ * @param {string} first
+ * @param {Answer} given
+ */
+const triedOf = (first, { right = false, tries = 0 }) => [
+  ...[text('class.tried', { first, right, tries }), ' '],
+  signOf(right),
 ];
 
 /** @type {Record<string, (part: Part, given: Answer) => (Node | string)[]>} */
 const CELLS = {
   choice: ({ options }, { picked = 0 }) => [`${picked + 1} `, saidRight(Boolean(options[picked].right))],
-  number: (_, given) => [`${figures(given.value ?? 0, 4)} ${given.unit}`, ...triesOf(given)],
+  number: (_, given) => triedOf(`${figures(given.value ?? 0, 4)} ${given.unit}`, given),
   order: (_, given) => {
     const { order = [] } = given;
     const count = order.filter((item, k) => item === k).length;
-    return [text('class.in-place', { count, all: order.length }), ...triesOf(given)];
+    return triedOf(text('class.in-place', { count, all: order.length }), given);
   },
   set: (_, { places = [] }) => [places.map((place) => (place === null ? '–' : figures(place))).join('; ')],
   sketch: (_, { late = false, outcomes = [] }) => {

@@ -23,7 +23,7 @@ export function lessonIn(search) {
   const query = new URLSearchParams(search);
   const reads = query.has('class');
   const name = query.get(reads ? 'class' : 'lesson');
-  if (name === null || !alone || (carried && reads)) return null;
+  if (name === null || !alone) return null;
   return { name, step: Math.trunc(Number(query.get('step')) || 1), language: query.get('language') ?? '', reads };
 }
 
@@ -73,6 +73,7 @@ export class Teaching {
   async #open(asked) {
     const { page } = this;
     try {
+      if (carried && asked.reads) throw new RangeError();
       const came = carried && recordOf(carried, asked.name); // before what is not there is fetched
       const [record, { Lesson }] = await Promise.all([came ?? this.#record(asked), late('lesson/lesson.js')]);
       await Promise.all(SHEETS.map((each) => lateSheet(`lesson/${each}`, page.root)));
@@ -89,7 +90,8 @@ export class Teaching {
       const unknown = error instanceof RangeError;
       const known = asked.name === OWN ? 'lesson.own-gone' : unknown ? 'lesson.unknown' : 'lesson.lost';
       const more = { lesson: asked.name.slice(0, 60), laboratory: Boolean(carried?.laboratory) };
-      page.complain(text(carried ? 'offline.lesson' : known, more));
+      const lacking = asked.reads ? 'offline.codes' : 'offline.lesson';
+      page.complain(text(carried ? lacking : known, more));
       page.layout.place();
       page.tell();
     }

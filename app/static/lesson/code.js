@@ -25,11 +25,11 @@ import { joined } from './judge.js';
 export const LETTERS = 'BCDFGHJKLMNPQRSTWXZ'; // no vowel, so no word; none is like another, or like a digit
 const SIZE = BigInt(LETTERS.length);
 const P = LETTERS.length; // a prime: letters are a field
-const FORM = 1; // of the code
+export const FORM = 1; // of the code
 const HEAD = 4; // letters of form and salt
 export const SALTS = P ** (HEAD - 1);
 const PRINT = 3; // letters of what is asked
-const GROUP = 4;
+export const GROUP = 4; // letters
 // Of a primitive polynomial, x⁴ + 15x³ + x² + x + 2: all wrong letters, two of them, and all neighbours that change
 // places are found; of all else one in 130 321 is not.
 const CHECK = [2, 1, 1, 15];
@@ -315,8 +315,11 @@ export function codeOf(record, given, salt) {
  */
 export const grouped = (written) => plain(written).replace(/.{4}(?=.)/g, '$&-');
 
-/** @param {string} written */
-const plain = (written) => written.toUpperCase().replace(/[\s–—_.-]/g, '');
+/**
+ * Its letters, large ones, without what is between groups.
+ * @param {string} written
+ */
+export const plain = (written) => written.toUpperCase().replace(/[\s–—_.-]/g, '');
 
 /**
  * What a code says. Raises CodeError for one that is mistyped, of a later form, or of another lesson.

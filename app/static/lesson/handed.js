@@ -50,6 +50,7 @@ export function handed(lesson) {
     button.replaceWith(...shown(lesson));
     const code = root.querySelector('code');
     code?.focus();
+    code?.parentElement?.scrollIntoView({ block: 'nearest' }); // with the button that copies it
     lesson.speak(code?.textContent ?? '');
   });
   button.classList.add('plain');

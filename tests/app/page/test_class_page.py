@@ -53,6 +53,13 @@ def test_a_class_of_twenty_is_read_and_saved(open_page):
     assert [row[2] for row in found["What is looked for: 2"]] == ["10 (67 %)", "0 (0 %)", "5 (33 %)", *["0 (0 %)"] * 2]
     assert [row[2] for row in found["Found, of 15 codes"]] == ["15 (100 %)", "10 (67 %)"]
     assert len(found["All codes"]) == 20
+    assert [row[6] for row in found["All codes"][:5]] == [
+        "116.4 µs, right at the first try ✓",
+        "58.2 µs first, right after 2 tries ✓",
+        "0.1164 ms first, right after 3 tries ✓",
+        "17190 s, right at the first try ✓",
+        "300 µs first, not right after 2 tries ○",
+    ]
     head, *rows = saved(page)
     assert head[:4] == ["name", "code", "next", "force.1.falls"]
     assert [row[0] for row in rows[:5]] == ["'=1+1", "Müller, Ida", "'+49", "Jane Doe", ""]
@@ -89,6 +96,10 @@ def test_lines_that_cannot_be_read_are_named_with_their_reason(open_page):
     page.laid_out()
     reading(page)
     expect(page.tab.locator(".class-count")).to_have_text("1 code is read, 5 lines are not:")  # of this tab
+    put_in(page, [f"Ann {first}, Ben {second[:30]}", f"{second[30:]} Carla"])
+    expect(page.tab.locator(".class-count")).to_have_text("2 codes are read, 1 line is not:")
+    expect(page.tab.locator(".class-unread")).to_contain_text("A name stands before its code")
+    assert [row[1] for row in tables(page)["All codes"]] == ["Ann", "Ben"]
     put_in(page, ["x"] * 503)
     expect(page.tab.locator(".class-unread li").first).to_have_text(
         "500 lines can be read at once. The 3 lines after them are left out: read them by themselves."
@@ -114,6 +125,33 @@ def test_a_class_that_plays_is_counted_by_its_teacher(open_page):
         page.tab.get_by_role("link", name="For teachers: read codes").click()
     page.laid_out()
     read_by_teacher(page, students)
+
+
+@pytest.mark.parametrize("size", [(390, 844), (1366, 768)])
+def test_the_button_that_copies_a_code_is_seen_when_the_code_is(open_page, size):
+    page = open_page("liveness", drawn=False, size=size)
+    page.tab.goto(f"http://{page.address}/?lesson={LESSON}&step=6")
+    ready(page)
+    page.tab.evaluate(  # the longest code: with a line
+        """() => {
+          const { progress } = strikewave.page.opening.teaching.lesson;
+          const line = Array.from({ length: 260 }, (_, k) => k % 90);
+          const outcomes = Array(5).fill({ outcome: 'yes' });
+          progress.answers.force = { line, outcomes, done: true, late: false };
+        }"""
+    )
+    code = button(page, "Code for my teacher")
+    code.evaluate("(each) => each.scrollIntoView({ block: 'end' })")  # as far down as it can be pressed
+    code.click()
+    assert len(page.tab.locator(".class-code").inner_text()) > 50
+    page.frames_pass(2)
+    copies = page.tab.locator(".class-given button")
+    assert copies.evaluate(
+        """(each) => {
+          const { bottom, left, top } = each.getBoundingClientRect();
+          return [top + 1, bottom - 1].every((y) => each.getRootNode().elementFromPoint(left + 9, y) === each);
+        }"""
+    )
 
 
 @pytest.mark.parametrize("size", [(1440, 900), (390, 844)])

@@ -99,6 +99,13 @@ def test_a_lesson_that_is_not_there_is_said_in_one_sentence(opened, name):
     assert tab.errors == []
 
 
+def test_codes_of_a_class_are_said_to_be_read_on_the_page_of_a_server(opened):
+    tab = opened(f"?class={LESSON}")
+    tab.locator(".toast").wait_for()
+    assert said(tab) == "This page works without a server: codes of a class are read on the page of one."
+    assert tab.errors == []
+
+
 def test_a_folder_without_lessons_says_so(opened, tmp_path):
     assert main(["export-static", str(tmp_path / "plain"), "--laboratory", "https://example.org/"]) == 0
     tab = opened(f"?lesson={LESSON}", base=(tmp_path / "plain").as_uri())
