@@ -3,7 +3,7 @@ import { text } from '../text/catalogue.js';
 import { addressOf, queryOf } from './address.js';
 import { download } from '../browser/dom.js';
 import { fileOf } from '../wire/own.js';
-import { alone } from '../browser/home.js';
+import { alone, carried } from '../browser/home.js';
 
 /** @import { Page } from '../page.js' */
 
@@ -18,6 +18,16 @@ export function linkOf(page, held) {
   if (!alone) return href;
   const [bare] = href.split(/[?#]/); // a page from the disk has no origin
   return `${bare}${addressOf(queryOf(page, true, undefined, held)).replace(pathname, '')}`;
+}
+
+/**
+ * Why a link leads nobody else here, and what to do: its host is what each machine calls itself, or there is none.
+ * Nothing where it does.
+ * @param {{ hostname: string, port: string }} [address]
+ */
+export function onlyHere({ hostname, port } = window.location) {
+  if (!/^((.+\.)?localhost|127(\.\d+){3}|\[::1\]|)$/.test(hostname)) return '';
+  return text('class.only-here', { folder: Boolean(carried), port: port && `:${port}` });
 }
 
 /** @param {Page} page */
