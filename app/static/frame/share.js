@@ -3,7 +3,7 @@ import { text } from '../text/catalogue.js';
 import { addressOf, queryOf } from './address.js';
 import { download } from '../browser/dom.js';
 import { fileOf } from '../wire/own.js';
-import { alone, carried } from '../browser/home.js';
+import { alone } from '../browser/home.js';
 
 /** @import { Page } from '../page.js' */
 
@@ -21,13 +21,13 @@ export function linkOf(page, held) {
 }
 
 /**
- * Why a link leads nobody else here, and what to do: its host is what each machine calls itself, or there is none.
+ * Why a link leads nobody else here, and what to do: its host is what each machine calls itself.
  * Nothing where it does.
  * @param {{ hostname: string, port: string }} [address]
  */
 export function onlyHere({ hostname, port } = window.location) {
-  if (!/^((.+\.)?localhost|127(\.\d+){3}|\[::1\]|)$/.test(hostname)) return '';
-  return text('class.only-here', { folder: Boolean(carried), port: port && `:${port}` });
+  if (!/^((.+\.)?localhost|127(\.\d+){3}|\[::1\])$/.test(hostname)) return '';
+  return text('class.only-here', { port: port && `:${port}` });
 }
 
 /** @param {Page} page */
