@@ -5,9 +5,12 @@ import errno
 import os
 import re
 import socket
+import sys
 import tempfile
+from pathlib import Path
 
 from solvers import SceneError
+from solvers.text.catalogue import spoken
 
 from .words import text
 
@@ -24,6 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--allow-origin", action="append", metavar="HOST[:PORT]", help=origin)
     frames = text("help.serve.frames")
     parser.add_argument("--frame-origin", action="append", metavar="ORIGIN", help=frames)
+    parser.add_argument("--lessons", metavar="FOLDER", help=text("help.serve.lessons"))
     parser.add_argument("--behind", action="append", metavar="ADDRESS[/BITS]", help=text("help.serve.behind"))
     parser.add_argument("--warm", action="store_true", help=text("help.serve.warm"))
     parser.set_defaults(run=_run)
@@ -59,10 +63,27 @@ def _run(options: argparse.Namespace) -> int:
         tempfile.gettempdir()
     except FileNotFoundError:
         raise SceneError("TMPDIR", os.environ.get("TMPDIR"), text("wanted.folder")) from None
+    if not _lessons(os.environ.get("IMPACT_LESSONS", "") if options.lessons is None else options.lessons):
+        return 2
     sockets = _port(int(port), address)
     from ..serving.server import serve
 
     return serve(int(port), address, origins, proxies, sockets, frames)
+
+
+def _lessons(folder: str) -> bool:
+    """Take the lessons of a folder, if one is named; what is wrong with them is printed by line."""
+    if not folder:
+        return True
+    from ..lessons.added import add
+
+    try:
+        wrong = add(Path(folder))
+    except (OSError, ValueError):
+        raise SceneError("--lessons", folder, text("wanted.lessons")) from None
+    for path, problem in wrong:
+        print(f"{path}:{problem.line}: {problem.said(spoken())}", file=sys.stderr)
+    return not wrong
 
 
 def _frame_origins(options: argparse.Namespace) -> list[str]:

@@ -3,13 +3,12 @@
 import re
 from itertools import pairwise
 
-from solvers import Rod, Solution
+from solvers import Rod, Scene, Solution
 
 from ..choices.space import in_space
 
 FIRST, LAST = -10.0, 1000.0  # [T]
 EVENT = re.compile(r"(?:touch|part|wall|back)(?:-[2-9])?|second|stick|reversal")
-NAMES = ("touch", "part", "touch-2", "part-2", "wall", "back", "second", "stick", "reversal")  # as a refusal lists them
 MOST = 9  # of one kind
 IMPACT = 2.0  # of bodies in space, whose impact has no duration: their clock runs so far through its impulse
 
@@ -21,6 +20,13 @@ def is_event(name: object) -> bool:
     return isinstance(name, str) and EVENT.fullmatch(name) is not None
 
 
+def names_in(scene: Scene) -> tuple[str, ...]:
+    """Those that can happen in a scene, as a refusal lists them: the first ones of each kind."""
+    if in_space(scene):
+        return "touch", "part", "stick", "reversal"
+    return "touch", "part", "touch-2", "part-2", *(("wall", "back", "second") if _has_front(scene) else ())
+
+
 def times_of(solution: Solution) -> dict[str, float]:
     """Times of all that happens [T], by name; of bodies in space by the clock of their impulse."""
     if in_space(solution.scene):
@@ -28,12 +34,16 @@ def times_of(solution: Solution) -> dict[str, float]:
     unit, found = solution.scene.time_unit, {}
     for number, contact in enumerate(solution.contacts[:MOST], 1):
         found |= {_name("touch", number): contact.start / unit, _name("part", number): contact.end / unit}
-    target = solution.scene.target
-    if isinstance(target, Rod) and target.support != "anechoic":
+    if _has_front(solution.scene):
         for number in range(1, MOST + 1):
             found |= {_name("wall", number): number - 0.5, _name("back", number): float(number)}
         found["second"] = found["back-2"]
     return found
+
+
+def _has_front(scene: Scene) -> bool:
+    """That comes back from the far end."""
+    return isinstance(scene.target, Rod) and scene.target.support != "anechoic"
 
 
 def _over_impulse(solution: Solution) -> dict[str, float]:

@@ -10,7 +10,7 @@ from solvers.text.notes import Note
 from solvers.validation import allowed, choice, flag, number
 
 from .document import Lines
-from .events import FIRST, LAST, NAMES, is_event
+from .events import FIRST, LAST, is_event
 from .lesson import Sentence, Span, Time
 from .problems import Problems, wanted
 from .prose import sentence
@@ -30,10 +30,10 @@ class EventUse(NamedTuple):
 
 
 class Reading:
-    """What is gathered while a lesson is read."""
+    """What is gathered while a lesson is read; `events`: that can happen in the scene that is shown."""
 
-    def __init__(self, problems: Problems):
-        self.problems, self.step = problems, 0
+    def __init__(self, problems: Problems, events: tuple[str, ...] = ()):
+        self.problems, self.step, self.events = problems, 0, events
         self.uses: list[EventUse] = []
         self.names: set[str] = set()
 
@@ -129,7 +129,7 @@ class Fields:
         try:
             return number(key, value, FIRST, LAST)
         except SceneError:
-            raise SceneError(key, value, wanted("time", low=FIRST, high=LAST, names=[*NAMES])) from None
+            raise SceneError(key, value, wanted("time", low=FIRST, high=LAST, names=[*self.reading.events])) from None
 
     def _span(self, key: str, value: Any) -> Span:
         if not isinstance(value, list) or len(value) != 2:

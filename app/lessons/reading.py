@@ -79,7 +79,8 @@ def _with_original(given: Document, folder: Path | None, problems: Problems) -> 
 def _lesson(document: Document, problems: Problems, missing: list[str], translates: str) -> Read:
     head = _head(document, problems)
     scene = head["scene"] or "fixed-rod"  # for what follows, where another one was refused
-    reading, stage = Reading(problems), Stage(scene)
+    stage = Stage(scene)
+    reading = Reading(problems, stage.events())
     if not document.sections:
         problems.add(1, "no-steps")
     if len(document.sections) > MOST_STEPS:
@@ -167,6 +168,7 @@ def _read_scene(fields: Fields, stage: Stage, name: str, line: int) -> Part:
             stage.turn_to(scene)
     changes, show = stage.change(fields), read_shown(fields, stage)
     sliders, beside = stage.sliders(fields), stage.settings(fields, "beside")
+    fields.reading.events = stage.events()
     play, at, time = fields.span("play"), fields.time("at"), fields.choice("time", CLOCKS, CLOCKS[0])
     return Scene(
         line=line, scene=scene, changes=changes, show=show, beside=beside, play=play, at=at, time=time, sliders=sliders,

@@ -1,4 +1,4 @@
-"""Lessons that come with the program."""
+"""Lessons that come with the program, and those of a server's own folder behind them."""
 
 from pathlib import Path
 
@@ -8,21 +8,35 @@ from .lesson import Lesson
 from .reading import read
 
 FOLDER = Path(__file__).parent / "library"
+ADDED: dict[str, dict[str, Lesson]] = {}  # by name and language, the original first; see `added`
 
 
 def lesson_files() -> list[Path]:
-    """All of them, translations too."""
+    """Those of the program, translations too."""
     return sorted(FOLDER.glob("*.md"))
 
 
 def lesson_names() -> list[str]:
     """Without their translations."""
+    return [*shipped_names(), *ADDED]
+
+
+def lesson_languages() -> set[str]:
+    """In which there is any."""
+    shipped = {path.name.split(".")[1] for path in lesson_files() if path.name.count(".") == 2}
+    return {SOURCE, *shipped}.union(*ADDED.values())
+
+
+def shipped_names() -> list[str]:
+    """Of the program alone."""
     return [path.stem for path in lesson_files() if "." not in path.stem]
 
 
 def shipped_lesson(name: str, language: str = SOURCE) -> Lesson:
     """In this language, or as its original where there is no translation. Raises KeyError for another name."""
-    if name not in lesson_names():
+    if name in ADDED:
+        return ADDED[name].get(language) or next(iter(ADDED[name].values()))
+    if name not in shipped_names():
         raise KeyError(name)
     translated = FOLDER / f"{name}.{language}.md"
     return read(translated if translated in lesson_files() else FOLDER / f"{name}.md")
@@ -31,6 +45,13 @@ def shipped_lesson(name: str, language: str = SOURCE) -> Lesson:
 def title_of(name: str, language: str) -> str:
     """Of one of them, as it stands until the first answer; "" for another name."""
     return shipped_lesson(name, language).title_before if name in lesson_names() else ""
+
+
+def listed(language: str) -> list[Lesson]:
+    """All in this language if there is a translation, as they follow each other, those of the program first."""
+    return [
+        each for names in (shipped_names(), ADDED) for each in in_order([shipped_lesson(n, language) for n in names])
+    ]
 
 
 def in_order(given: list[Lesson]) -> list[Lesson]:

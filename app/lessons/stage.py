@@ -6,6 +6,7 @@ from typing import Any
 
 import param
 
+from solvers import Scene
 from solvers.validation import allowed, shown
 
 from ..choices.built_in import base_of
@@ -13,6 +14,7 @@ from ..choices.choices import SCENES, Choices, accepts
 from ..choices.kinds import kind_of
 from ..choices.opened import possible
 from ..choices.scene_of import acting_choices, own_choices
+from .events import names_in
 from .fields import Fields
 from .problems import Problems, wanted
 
@@ -43,7 +45,14 @@ class Stage:
     @property
     def kind(self) -> str:
         """Of the scene, by its name in messages."""
-        return kind_of(base_of(self.scene, self.own()["bodies"])).NAME
+        return kind_of(self._base()).NAME
+
+    def events(self) -> tuple[str, ...]:
+        """Names of those that can happen."""
+        return names_in(self._base())
+
+    def _base(self) -> Scene:
+        return base_of(self.scene, self.own()["bodies"])
 
     def acting(self) -> list[str]:
         """Settings that change anything here."""

@@ -11,7 +11,7 @@ from solvers.text.notes import Note
 from ..choices.beam import on_beam
 from ..choices.choices import SCENES
 from ..choices.space import in_space
-from ..lessons.shipped import in_order, lesson_names, shipped_lesson
+from ..lessons.shipped import listed
 from ..messages.gallery.cards import CARDS, stored_pictures
 from ..messages.gallery.drawn import HEIGHT, SHADES, WIDTH
 from ..text.refusals import note
@@ -40,16 +40,15 @@ def gallery(language: str = SOURCE) -> dict[str, Any]:
 
 
 def lessons(language: str) -> list[dict[str, Any]]:
-    """Those that come with the program, as they follow each other, in this language if there is a translation;
-    `before`: the title until the first answer, `audience`: for whom it is.
-    """
+    """As the gallery lists them, in this language if there is a translation; `before`: the title until the first
+    answer, `audience`: for whom it is."""
     return [
         {
             "name": lesson.lesson, "scene": lesson.scene, "steps": len(lesson.steps), "minutes": lesson.minutes,
             "language": lesson.language, "title": lesson.title, "before": lesson.title_before,
             "audience": lesson.audience,
         }
-        for lesson in in_order([shipped_lesson(name, language) for name in lesson_names()])
+        for lesson in listed(language)
     ]  # fmt: skip
 
 

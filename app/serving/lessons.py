@@ -1,4 +1,4 @@
-"""Lessons for the page as JSON: those of the program, in the language of who asks, and those that are sent to it."""
+"""Lessons for the page as JSON: those that it lists, in the language of who asks, and those that are sent to it."""
 
 import asyncio
 import json
@@ -7,22 +7,19 @@ from functools import cache
 
 from tornado.web import HTTPError, RequestHandler
 
-from solvers.text.catalogue import SOURCE
-
 from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.workers import GivenUp, Job, Workers
 from ..lessons.document import LARGEST
 from ..lessons.own import TRY_SECONDS, read_own, try_own
 from ..lessons.record import lesson_record
-from ..lessons.shipped import lesson_files, shipped_lesson
+from ..lessons.shipped import lesson_languages, shipped_lesson
 from ..text.refusals import Refused
 from .language import language_of
 from .uploads import Upload
 
 READ_SECONDS = 5.0  # of computing for a text; the worst that is known take 1.5 s
 ONE_SOLVE = 2.0  # s of computing of the last solve, which may begin before the time for all of them is over
-LANGUAGES = {SOURCE} | {path.name.split(".")[1] for path in lesson_files() if path.name.count(".") == 2}
 
 
 @cache
@@ -36,7 +33,7 @@ class Lesson(RequestHandler):
     """What a lesson says; a browser keeps it, and asks whether it is still the same."""
 
     def get(self, name: str) -> None:
-        language = language_of(self.request, LANGUAGES)
+        language = language_of(self.request, lesson_languages())
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Vary", "Accept-Language, Cookie")
         self.set_header("Content-Type", "application/json")

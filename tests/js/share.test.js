@@ -1,7 +1,7 @@
-// What is saved of a solution.
+// What is saved of a solution, and where links lead.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { written } from '../../app/static/frame/share.js';
+import { onlyHere, written } from '../../app/static/frame/share.js';
 
 test('saved values have one form, and stand below the scene that they are of', () => {
   const scene = 'title = "A rod"\n\n[target]\nlength = 0.5';
@@ -21,4 +21,16 @@ test('saved values have one form, and stand below the scene that they are of', (
     '1.100000e-6,-1.234568e+4',
     '',
   ]);
+});
+
+test('a link to what each machine calls itself says that it opens there alone', () => {
+  for (const hostname of ['localhost', 'a.localhost', '127.0.0.1', '127.1.2.3', '[::1]'])
+    assert.match(
+      onlyHere({ hostname, port: '5006' }),
+      /^This link opens on your machine alone.* NAME:5006”, .* http:\/\/NAME:5006\.$/,
+      hostname,
+    );
+  assert.match(onlyHere({ hostname: 'localhost', port: '' }), / NAME”, .* http:\/\/NAME\.$/);
+  for (const hostname of ['example.org', '192.168.1.20', '127.example.org', 'localhost.org', '[fe80::1]'])
+    assert.equal(onlyHere({ hostname, port: '5006' }), '', hostname);
 });

@@ -3,6 +3,7 @@ import { download, make } from '../browser/dom.js';
 import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
 import { questionsOf } from '../lesson/code.js';
+import { onlyHere } from '../frame/share.js';
 import { curveOf, eventsOf, timeOf } from '../lesson/events.js';
 import { copyButton } from '../lesson/handed.js';
 import { FACTORS } from '../lesson/sketch.js';
@@ -55,7 +56,9 @@ export class Reading {
     const about = make('p', { textContent: text('class.about') });
     const label = make('label', {}, text('class.lines', { most: MOST }), area);
     const links = own ? [] : [' ', copy, ' ', frame];
-    const head = make('header', {}, heading, make('p', {}, lesson, ...links), about);
+    const only = own ? '' : onlyHere();
+    const note = make('p', { textContent: only, hidden: !only });
+    const head = make('header', {}, heading, make('p', {}, lesson, ...links), note, about);
     return [head, make('div', { className: 'class-put' }, label, count, unread, save), sums];
   }
   /** Take the place of all else. */

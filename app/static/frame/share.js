@@ -20,6 +20,16 @@ export function linkOf(page, held) {
   return `${bare}${addressOf(queryOf(page, true, undefined, held)).replace(pathname, '')}`;
 }
 
+/**
+ * Why a link leads nobody else here, and what to do: its host is what each machine calls itself.
+ * Nothing where it does.
+ * @param {{ hostname: string, port: string }} [address]
+ */
+export function onlyHere({ hostname, port } = window.location) {
+  if (!/^((.+\.)?localhost|127(\.\d+){3}|\[::1\])$/.test(hostname)) return '';
+  return text('class.only-here', { port: port && `:${port}` });
+}
+
 /** @param {Page} page */
 export async function copyLink(page) {
   const link = linkOf(page);

@@ -2,7 +2,7 @@
 import { make, segments } from '../browser/dom.js';
 import { commaOf, numberInput, refusalAt } from '../form/number_field.js';
 import { shortOf } from '../form/settings.js';
-import { linkOf } from '../frame/share.js';
+import { linkOf, onlyHere } from '../frame/share.js';
 import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
 import { typed } from '../text/units.js';
@@ -33,7 +33,9 @@ export class ClassLink {
     this.copy = make('button', { type: 'button', className: 'whole', onclick: () => this.#copy() });
     const about = make('p', { className: 'help', textContent: text('class.link.about') });
     const label = make('label', {}, text('class.link.address'), this.address);
-    const foot = make('footer', {}, this.seen, label, this.copy);
+    const only = onlyHere();
+    const note = make('p', { textContent: only, hidden: !only });
+    const foot = make('footer', {}, this.seen, note, label, this.copy);
     this.root = make('dialog', { className: 'class-link' }, this.#head(), about, this.rows, foot);
     this.root.setAttribute('aria-labelledby', 'class-link');
     this.root.onkeydown = (event) => event.stopPropagation(); // to what is behind

@@ -222,3 +222,16 @@ def test_every_sentence_is_asked_for_and_there():
     assert own == {code for code in own if f'"{code.removeprefix("lesson.").removeprefix("wanted.")}"' in sources}
     asked = set(re.findall(r'wanted\("([\w-]+)"', sources))
     assert {f"lesson.wanted.{code}" for code in asked} == {code for code in own if code.startswith("lesson.wanted.")}
+
+
+@pytest.mark.parametrize(
+    "scene, listed",
+    [
+        ("fixed-rod", "touch, part, touch-2, part-2, wall, back, second"),
+        ("two-balls", "touch, part, touch-2, part-2"),
+        ("spinning-ball", "touch, part, stick, reversal"),
+    ],
+)
+def test_events_are_listed_that_the_scene_can_have(scene, listed):
+    ((_, said),) = refused(fence("scene", f'scene = "{scene}"\nat = "noon"'))
+    assert said.endswith(f"or an event: {listed}")
