@@ -1,5 +1,7 @@
 """A link of a teacher: controls that are hidden, fixed or bounded."""
 
+from urllib.parse import parse_qs
+
 import pytest
 from playwright.sync_api import expect
 
@@ -141,10 +143,18 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     expect(form.locator(".wrong:not([hidden])")).to_have_text(
         "Mass ratio: got 3, 2; allowed: two numbers from 0.001 to 1000, the lower one first."
     )
-    assert link.input_value() == good and high.get_attribute("aria-invalid") == "true"
+    expect(seen).to_have_text("No link yet: the ends of Mass ratio cannot be.")
+    expect(form.get_by_role("button", name="Copy")).to_be_disabled()
+    assert link.input_value() == "" and high.get_attribute("aria-invalid") == "true"
+    way = form.get_by_role("group", name="Mass ratio").get_by_role("button", name="Hidden")
+    way.press("Enter")  # with which no end is wrong
+    assert "hide=method,modes,mass_ratio&fix=restitution" in link.input_value()
+    form.get_by_role("group", name="Mass ratio").get_by_role("button", name="Free").press("Enter")
+    assert link.input_value() == ""
     low.fill("0,1")
     low.press("Tab")
     expect(form.locator(".wrong:not([hidden])")).to_have_count(0)
+    assert link.input_value() == good
     page.evaluate("() => { navigator.clipboard.writeText = async (link) => { window.copied = link; }; }")
     form.get_by_role("button", name="Copy").press("Enter")
     expect(form.get_by_role("button", name="Copied")).to_be_visible()
@@ -163,6 +173,19 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     form = the_form(other)  # begins with what the link says
     expect(form.get_by_role("textbox", name="Mass ratio, highest value")).to_have_value("2")
     expect(form.get_by_role("group", name="Modes").get_by_role("button", pressed=True)).to_have_text("Hidden")
+
+
+def test_a_link_for_a_class_keeps_the_layout_and_no_instant(open_page):
+    page = open_page("?scene=fixed-rod&layout=docks&tab=charts", own=True)
+    settled(page)
+    link = the_form(page).get_by_label("The link").input_value()
+    said = parse_qs(link.split("?")[1])
+    assert {key: said.get(key) for key in ("layout", "t", "playing", "tab")} == {
+        "layout": ["docks"],
+        "t": None,
+        "playing": None,
+        "tab": None,
+    }
 
 
 @pytest.mark.parametrize(
