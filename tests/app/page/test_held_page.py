@@ -83,8 +83,8 @@ def test_no_change_is_offered_that_a_link_does_not_allow(open_page):
 @pytest.mark.parametrize(
     "query, sentence",
     [
-        ("hide=methods", "hide: got methods; allowed: scene, "),
-        ("fix=bodies", "fix: got bodies; allowed: scene, "),
+        ("hide=methods", "hide: got methods; allowed in this scene: scene, "),
+        ("fix=bodies", "fix: got bodies; allowed in this scene: scene, "),
         (
             "bound=mass_ratio:2:1",
             "bound: got mass_ratio:2:1; allowed: mass_ratio:LOW:HIGH, with two numbers from 0.001 to ",
@@ -99,6 +99,7 @@ def test_a_bad_name_or_bound_is_refused_in_a_sentence(open_page, query, sentence
 def test_a_scene_that_is_held_stays_and_the_gallery_shut(open_page):
     page = open_page("?scene=fixed-rod&fix=scene")
     settled(page)
+    expect(page.tab.get_by_role("button", name="Lessons")).to_have_count(0)
     expect(page.tab.locator("button.scene")).to_be_disabled()
     page.tab.keyboard.press("g")
     page.frames_pass(5)
@@ -106,6 +107,21 @@ def test_a_scene_that_is_held_stays_and_the_gallery_shut(open_page):
     page.evaluate("() => strikewave.page.choose('scene', 'free-rod')")
     page.frames_pass(5)
     assert chosen(page, "scene") == "fixed-rod"
+
+
+ALL = "scene,mass_ratio,speed,law,method,modes,restitution,bodies"
+
+
+def test_with_all_hidden_the_left_dock_is_gone(open_page):
+    page = open_page(f"?scene=fixed-rod&hide={ALL}")
+    settled(page)
+    expect(page.tab.locator(".dock.left")).to_be_hidden()
+    expect(page.tab.locator(".folder.left")).to_be_hidden()
+    assert page.tab.locator(".centre").bounding_box()["x"] < 20
+    page = open_page(f"?scene=fixed-rod&layout=opening&hide={ALL}")
+    settled(page)
+    expect(page.tab.get_by_role("button", name="Charts", exact=True)).to_be_visible()
+    expect(page.tab.get_by_role("button", name="Controls", exact=True)).to_have_count(0)
 
 
 def the_form(page, save="Save", link="Link for a class"):
