@@ -54,11 +54,15 @@ test('values of bodies stay where they would move a choice that does not', () =>
 });
 
 test('what cannot be is refused with its key, what was given, and what is allowed', () => {
-  assert.deepEqual(held('?hide=methods').refused, [
-    'hide: got methods; allowed: scene, method, mass_ratio, modes, bodies.',
+  const said = (search, acting = Object.keys(SPEC)) => held(search).refusals(acting);
+  assert.deepEqual(said('?hide=methods'), [
+    'hide: got methods; allowed in this scene: scene, method, mass_ratio, modes, bodies.',
   ]);
-  assert.deepEqual(held('?fix=bodies').refused, ['fix: got bodies; allowed: scene, method, mass_ratio, modes.']);
-  assert.deepEqual(held('?bound=method:1:2').refused, ['bound: got method; allowed: mass_ratio, modes.']);
+  assert.deepEqual(said('?fix=bodies'), ['fix: got bodies; allowed in this scene: scene, method, mass_ratio, modes.']);
+  assert.deepEqual(said('?bound=method:1:2'), ['bound: got method; allowed in this scene: mass_ratio, modes.']);
+  assert.deepEqual(said('?hide=methods', ['scene', 'mass_ratio', 'bodies']), [
+    'hide: got methods; allowed in this scene: scene, mass_ratio, bodies.',
+  ]);
   const number = 'allowed: mass_ratio:LOW:HIGH, with two numbers from 0.001 to 1000, the lower one first.';
   for (const bad of [
     'mass_ratio',
@@ -72,9 +76,18 @@ test('what cannot be is refused with its key, what was given, and what is allowe
   const [whole] = held('?bound=modes:1.5:10').refused;
   assert.ok(whole.endsWith('with two whole numbers from 1 to 200, the lower one first.'));
   for (const bad of ['__proto__', 'constructor', 'x'.repeat(999)]) {
-    const { fixed, refused } = held(`?fix=${bad}`);
-    assert.ok(fixed.size === 0 && refused[0].length < 120);
+    const found = held(`?fix=${bad}`);
+    assert.ok(found.fixed.size === 0 && found.refusals(Object.keys(SPEC))[0].length < 140);
   }
+});
+
+test('what is hidden and fixed at once is said, and hidden', () => {
+  const found = held('?hide=method,modes&fix=modes,mass_ratio,method');
+  assert.deepEqual(found.refusals([]), ['hide and fix: got method, modes in both; what is hidden is fixed, too.']);
+  assert.deepEqual(found.said, [
+    ['hide', 'method,modes'],
+    ['fix', 'mass_ratio'],
+  ]);
 });
 
 test('a scene that comes has its values brought within the bounds, once', () => {

@@ -173,6 +173,8 @@ export class Controls {
     this.#entitle(frame);
     this.#cushion(frame);
     for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);
+    const seen = frame.acting.filter((name) => name !== 'scene' && !this.held.hidden.has(name)); // that is in the bar
+    this.page.layout.bare(!seen.length);
     const onBeam = 'main' in frame;
     const label = this.fields.method.root.querySelector('label');
     if (label) label.textContent = onBeam ? LABELS.method.title : text('controls.compare-with');

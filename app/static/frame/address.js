@@ -11,6 +11,7 @@ import { keptText } from './kept.js';
 
 /** What an address says of the language, if this one does. */
 const SPOKEN = alone && !carried && new URLSearchParams(location.search).has('language') ? language : '';
+const PASSING = ['t', 'playing', 'tab']; // of what is seen, which a link for a class does not say
 const PLAIN = { '%2C': ',', '%3A': ':', '%3B': ';' }; // what a query need not encode
 
 /**
@@ -76,15 +77,17 @@ function viewOf({ compare, frame, layout, opening, player, scenes, view }, momen
  * @param {Page} page
  * @param {boolean} [moment]  with the instant of the clock, also while it runs
  * @param {string} [spoken]  the language that it asks for
- * @param {import('../wire/held.js').Held} [held]  what it takes from the controls
+ * @param {import('../wire/held.js').Held} [taught]  what a link for a class takes from the controls
  */
-export function queryOf(page, moment = false, spoken = SPOKEN, { said: taken } = page.changes.held) {
+export function queryOf(page, moment = false, spoken = SPOKEN, taught) {
   const { frame, model } = page;
   const { lesson } = page.opening.teaching;
   const asked = spoken ? [['language', spoken]] : [];
   if (lesson) return [lesson.query, ...asked.map((each) => each.join('='))].join('&');
   const panels = page.opening.leads && !page.opening.docked ? [] : panelsOf(model); // where they are seen
-  const said = [...choicesOf(model, frame), ...taken, ...panels, ...viewOf(page, moment)];
+  const taken = (taught ?? page.changes.held).said;
+  const seen = viewOf(page, moment).filter(([key]) => !taught || !PASSING.includes(key));
+  const said = [...choicesOf(model, frame), ...taken, ...panels, ...seen];
   const query = new URLSearchParams([...said, ...page.opening.said(said.some(([key]) => key !== 'gallery')), ...asked]);
   return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);
 }

@@ -59,7 +59,7 @@ export class Help {
     const words = { type: 'button', className: 'to-lessons', textContent: text('gallery.lessons') };
     const lessons = make('button', { ...words, onclick: () => page.scenes.open() });
     lessons.setAttribute('aria-haspopup', 'dialog');
-    const taught = alone && !carried ? [lessons] : [];
+    const taught = alone && !carried && !page.changes.held.stays('scene') ? [lessons] : []; // its gallery opens
     this.buttons = framed ? [wayOut(page)] : [...taught, ...languagesOf(page), this.button];
     const close = make('button', { type: 'button', className: 'sign', textContent: '✕', onclick: () => this.close() });
     close.title = close.ariaLabel = text('help.close');

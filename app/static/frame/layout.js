@@ -34,6 +34,7 @@ export class Layout {
   /** @type {Mode} */ mode = 'desk';
   /** @type {Sizes} */ sizes = kept('docks', {});
   full = false; // what is open takes the right dock's place too
+  uncontrolled = false; // a link hides all that would be at the left
   spare = false; // no analysis is in the right dock: what is open has the room below its menu
 
   /**
@@ -104,7 +105,21 @@ export class Layout {
   }
   /** @param {'left' | 'right'} name */
   folded(name) {
-    return Boolean(this.sizes.folded?.[name]);
+    return Boolean(this.sizes.folded?.[name]) || (name === 'left' && this.uncontrolled);
+  }
+  /** @param {boolean} uncontrolled  whether there is none to be seen */
+  bare(uncontrolled) {
+    if (uncontrolled === this.uncontrolled) return;
+    this.uncontrolled = this.folders.left.hidden = this.grips[0].hidden = uncontrolled;
+    this.#offer();
+    this.#settle();
+  }
+  /** Tabs of the dock beside the picture. */
+  get offered() {
+    return OFFERED.filter((name) => name !== 'controls' || !this.uncontrolled);
+  }
+  #offer() {
+    this.tabs.offer(this.tabbed ? this.offered : BESIDE);
   }
   /** Put everything where it belongs at this width. */
   place() {
@@ -129,8 +144,8 @@ export class Layout {
       if (tabbed) this.tabs.panel('analysis').prepend(this.wide);
       else this.centre.append(this.wide);
       this.charts.hidden = !this.wide.hidden && !tabbed;
-      this.tabs.offer(tabbed ? OFFERED : BESIDE);
-      if (opening.plan === 'laboratory' && tabbed) this.tabs.select('controls');
+      this.#offer();
+      if (opening.plan === 'laboratory' && this.tabs.offers('controls')) this.tabs.select('controls');
     }
     this.#settle();
   }

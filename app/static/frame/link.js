@@ -84,8 +84,9 @@ function stretchOf([start, end, ...more]) {
  */
 export function follow(page, link) {
   const { bad, beside, colour, gallery, gauge, kept, locked, playing, read, t, tab, view: stretch } = link;
-  const { compare, layout, player, view } = page;
-  const wrong = [...page.changes.held.refused, ...(bad.length ? [text('page.bad-link', { keys: bad })] : [])];
+  const { changes, compare, frame, layout, player, view } = page;
+  const wrong = changes.held.refusals(frame.acting);
+  if (bad.length) wrong.push(text('page.bad-link', { keys: bad }));
   if (wrong.length) page.complain([refusalIn(page.model), ...wrong].filter(Boolean).join('\n'));
   if (colour) view.colour?.(colour);
   if (read) view.gauge?.read(read);

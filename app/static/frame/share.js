@@ -11,13 +11,13 @@ const DIGITS = 6; // behind the first one, of saved values
 
 /**
  * @param {Page} page
- * @param {import('../wire/held.js').Held} [held]  what it takes from the controls, where not what the page's own does
+ * @param {import('../wire/held.js').Held} [taught]  what a link for a class takes from the controls
  */
-export function linkOf(page, held) {
+export function linkOf(page, taught) {
   const { href, pathname } = window.location;
   if (!alone) return href;
   const [bare] = href.split(/[?#]/); // a page from the disk has no origin
-  return `${bare}${addressOf(queryOf(page, true, undefined, held)).replace(pathname, '')}`;
+  return `${bare}${addressOf(queryOf(page, true, undefined, taught)).replace(pathname, '')}`;
 }
 
 /**

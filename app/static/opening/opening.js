@@ -3,7 +3,7 @@
 import { queryOf } from '../frame/address.js';
 import { alone, carried, framed } from '../browser/home.js';
 import { make } from '../browser/dom.js';
-import { OFFERED, TITLES } from '../frame/layout.js';
+import { TITLES } from '../frame/layout.js';
 import { lessonIn, Teaching } from '../frame/teaching.js';
 import { keep, kept } from '../browser/store.js';
 import { family, text } from '../text/catalogue.js';
@@ -284,7 +284,7 @@ export class Opening {
       make('button', { type: 'button', textContent, onclick });
     const laboratory = enter(text(carried ? 'offline.laboratory' : 'opening.laboratory'), () => this.#leave());
     laboratory.className = 'to-laboratory';
-    const tabs = OFFERED.map((tab) => enter(TITLES[tab], () => this.look(tab)));
+    const tabs = this.page.layout.offered.map((tab) => enter(TITLES[tab], () => this.look(tab)));
     this.closer.replaceChildren(
       make('span', { textContent: text('opening.closer') }),
       ...tabs,

@@ -26,6 +26,7 @@ export class ClassLink {
     for (const name of changes.held.hidden) this.held.hidden.add(name);
     for (const name of changes.held.fixed) this.held.fixed.add(name);
     for (const [name, ends] of changes.held.bounds) this.held.bounds.set(name, ends);
+    /** @type {Set<string>} */ this.wrong = new Set(); // whose ends cannot be
     this.rows = make('div', { className: 'link-rows' });
     this.seen = make('p', { role: 'status' });
     this.address = make('textarea', { rows: 2, readOnly: true, spellcheck: false });
@@ -61,6 +62,7 @@ export class ClassLink {
     }
   }
   open() {
+    this.wrong.clear();
     this.rows.replaceChildren(...this.names.map((name) => this.#row(name)));
     this.#follow();
     this.root.showModal();
@@ -124,29 +126,41 @@ export class ClassLink {
       root.hidden = !counts;
       complain(counts && !ends ? why : '');
       high.ariaInvalid = low.ariaInvalid;
-      if (!counts || (ends && ends[0] === least && ends[1] === most)) this.held.bounds.delete(name);
-      else if (ends) this.held.bounds.set(name, ends); // else those from before
+      this.wrong[counts && !ends ? 'add' : 'delete'](name);
+      if (!counts || !ends || (ends[0] === least && ends[1] === most)) this.held.bounds.delete(name);
+      else this.held.bounds.set(name, ends);
     };
     for (const input of inputs) input.onchange = () => [take(true), this.#follow()];
     const parts = [text('class.link.from'), low, text('class.link.to'), high, beside];
     const root = make('div', { className: 'link-ends' }, ...parts, wrong);
     return { root, take };
   }
-  /** Link and sentence say what is chosen. */
-  #follow() {
-    const { held, names, page } = this;
-    const listed = (/** @type {Set<string>} */ all) => {
-      const found = names.filter((name) => all.has(name)).map((name) => this.#titleOf(name));
-      return found.length ? found : null;
-    };
+  /**
+   * @param {Set<string>} all
+   * @returns {string[] | null}  titles, in the order of the rows
+   */
+  #listed(all) {
+    const found = this.names.filter((name) => all.has(name)).map((name) => this.#titleOf(name));
+    return found.length ? found : null;
+  }
+  /** What is chosen, in a sentence. */
+  get #sentence() {
+    const { held, names } = this;
     const bounded = [...held.bounds].filter(([name]) => names.includes(name));
     const within = bounded.map(([name, [low, high]]) =>
       text('class.link.between', { title: this.#titleOf(name), low, high }),
     );
     const bodies = held.bodies && names.includes('bodies') && !held.hidden.has('bodies');
-    const taken = { hidden: listed(held.hidden), fixed: listed(held.fixed), bounded: within.length ? within : null };
-    this.seen.textContent = text('class.link.seen', { ...taken, any: Object.values(taken).some(Boolean), bodies });
-    this.address.value = linkOf(page, held);
+    const [hidden, fixed] = [this.#listed(held.hidden), this.#listed(held.fixed)];
+    const taken = { hidden, fixed, bounded: within.length ? within : null };
+    return text('class.link.seen', { ...taken, any: Object.values(taken).some(Boolean), bodies });
+  }
+  /** Link and sentence say what is chosen; there is no link while ends cannot be. */
+  #follow() {
+    const titles = this.#listed(this.wrong);
+    this.seen.textContent = titles ? text('class.link.none', { titles }) : this.#sentence;
+    this.address.value = titles ? '' : linkOf(this.page, this.held);
+    this.copy.disabled = Boolean(titles);
     this.copy.textContent = text('class.copy'); // it may say that another was
   }
 }

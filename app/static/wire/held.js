@@ -27,7 +27,8 @@ export class Held {
   /** @type {Set<string>} */ hidden = new Set();
   /** @type {Set<string>} */ fixed = new Set();
   /** @type {Map<string, [low: number, high: number]>} */ bounds = new Map();
-  /** @type {string[]} */ refused = []; // sentences
+  /** @type {[key: string, name: string, allowed: string[]][]} */ unknown = [];
+  /** @type {string[]} */ refused = []; // sentences of others
   scene = ''; // whose values were brought within the bounds
 
   /**
@@ -42,6 +43,8 @@ export class Held {
     for (const name of all('hide')) this.#named('hide', name, Object.keys(spec), () => this.hidden.add(name));
     const fixable = Object.keys(spec).filter((name) => name !== 'bodies');
     for (const name of all('fix')) this.#named('fix', name, fixable, () => this.fixed.add(name));
+    const both = [...this.hidden].filter((name) => this.fixed.delete(name)); // as it is not seen
+    if (both.length) this.refused.push(text('held.both', { names: both }));
     const sliders = Object.keys(spec).filter((name) => spec[name].low !== undefined);
     for (const given of all('bound')) {
       const [name, ...ends] = given.split(':');
@@ -56,7 +59,17 @@ export class Held {
    */
   #named(key, name, allowed, take) {
     if (allowed.includes(name)) take();
-    else this.refused.push(text('held.name', { key, value: name.slice(0, LONGEST), options: allowed }));
+    else this.unknown.push([key, name.slice(0, LONGEST), allowed]);
+  }
+  /**
+   * @param {string[]} acting  what the scene has
+   * @returns {string[]}  sentences
+   */
+  refusals(acting) {
+    const said = this.unknown.map(([key, value, allowed]) =>
+      text('held.name', { key, value, options: allowed.filter((name) => acting.includes(name)) }),
+    );
+    return [...said, ...this.refused];
   }
   /**
    * @param {string} given

@@ -1,5 +1,7 @@
 """A link of a teacher: controls that are hidden, fixed or bounded."""
 
+from urllib.parse import parse_qs
+
 import pytest
 from playwright.sync_api import expect
 
@@ -81,8 +83,8 @@ def test_no_change_is_offered_that_a_link_does_not_allow(open_page):
 @pytest.mark.parametrize(
     "query, sentence",
     [
-        ("hide=methods", "hide: got methods; allowed: scene, "),
-        ("fix=bodies", "fix: got bodies; allowed: scene, "),
+        ("hide=methods", "hide: got methods; allowed in this scene: scene, "),
+        ("fix=bodies", "fix: got bodies; allowed in this scene: scene, "),
         (
             "bound=mass_ratio:2:1",
             "bound: got mass_ratio:2:1; allowed: mass_ratio:LOW:HIGH, with two numbers from 0.001 to ",
@@ -97,6 +99,7 @@ def test_a_bad_name_or_bound_is_refused_in_a_sentence(open_page, query, sentence
 def test_a_scene_that_is_held_stays_and_the_gallery_shut(open_page):
     page = open_page("?scene=fixed-rod&fix=scene")
     settled(page)
+    expect(page.tab.get_by_role("button", name="Lessons")).to_have_count(0)
     expect(page.tab.locator("button.scene")).to_be_disabled()
     page.tab.keyboard.press("g")
     page.frames_pass(5)
@@ -104,6 +107,21 @@ def test_a_scene_that_is_held_stays_and_the_gallery_shut(open_page):
     page.evaluate("() => strikewave.page.choose('scene', 'free-rod')")
     page.frames_pass(5)
     assert chosen(page, "scene") == "fixed-rod"
+
+
+ALL = "scene,mass_ratio,speed,law,method,modes,restitution,bodies"
+
+
+def test_with_all_hidden_the_left_dock_is_gone(open_page):
+    page = open_page(f"?scene=fixed-rod&hide={ALL}")
+    settled(page)
+    expect(page.tab.locator(".dock.left")).to_be_hidden()
+    expect(page.tab.locator(".folder.left")).to_be_hidden()
+    assert page.tab.locator(".centre").bounding_box()["x"] < 20
+    page = open_page(f"?scene=fixed-rod&layout=opening&hide={ALL}")
+    settled(page)
+    expect(page.tab.get_by_role("button", name="Charts", exact=True)).to_be_visible()
+    expect(page.tab.get_by_role("button", name="Controls", exact=True)).to_have_count(0)
 
 
 def the_form(page, save="Save", link="Link for a class"):
@@ -141,10 +159,18 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     expect(form.locator(".wrong:not([hidden])")).to_have_text(
         "Mass ratio: got 3, 2; allowed: two numbers from 0.001 to 1000, the lower one first."
     )
-    assert link.input_value() == good and high.get_attribute("aria-invalid") == "true"
+    expect(seen).to_have_text("No link yet: the ends of Mass ratio cannot be.")
+    expect(form.get_by_role("button", name="Copy")).to_be_disabled()
+    assert link.input_value() == "" and high.get_attribute("aria-invalid") == "true"
+    way = form.get_by_role("group", name="Mass ratio").get_by_role("button", name="Hidden")
+    way.press("Enter")  # with which no end is wrong
+    assert "hide=method,modes,mass_ratio&fix=restitution" in link.input_value()
+    form.get_by_role("group", name="Mass ratio").get_by_role("button", name="Free").press("Enter")
+    assert link.input_value() == ""
     low.fill("0,1")
     low.press("Tab")
     expect(form.locator(".wrong:not([hidden])")).to_have_count(0)
+    assert link.input_value() == good
     page.evaluate("() => { navigator.clipboard.writeText = async (link) => { window.copied = link; }; }")
     form.get_by_role("button", name="Copy").press("Enter")
     expect(form.get_by_role("button", name="Copied")).to_be_visible()
@@ -163,6 +189,19 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     form = the_form(other)  # begins with what the link says
     expect(form.get_by_role("textbox", name="Mass ratio, highest value")).to_have_value("2")
     expect(form.get_by_role("group", name="Modes").get_by_role("button", pressed=True)).to_have_text("Hidden")
+
+
+def test_a_link_for_a_class_keeps_the_layout_and_no_instant(open_page):
+    page = open_page("?scene=fixed-rod&layout=docks&tab=charts", own=True)
+    settled(page)
+    link = the_form(page).get_by_label("The link").input_value()
+    said = parse_qs(link.split("?")[1])
+    assert {key: said.get(key) for key in ("layout", "t", "playing", "tab")} == {
+        "layout": ["docks"],
+        "t": None,
+        "playing": None,
+        "tab": None,
+    }
 
 
 @pytest.mark.parametrize(

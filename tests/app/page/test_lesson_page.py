@@ -94,7 +94,7 @@ def test_a_lesson_is_walked_through_with_a_pointer(open_page):
     drawn(page, LINE)
     button(page, "Show what happens").click()
     assert judged(page) == ["✓"] * 5
-    button(page, "Lay it beside the rod").click()
+    button(page, "Lay it beside the picture").click()
     expect(page.tab.locator(".section")).to_be_visible()
     expect(page.tab.locator(".lesson-after")).to_contain_text("The rows below show the rod")
     onwards(page)
@@ -180,7 +180,7 @@ def test_a_phone_has_all_of_it_and_keys_draw_too(open_page):
     button(page, "Show what happens").click()
     assert judged(page) == ["✓", "✓", "✓", "○", "✓"]
     found["judged"] = findings(page)
-    button(page, "Lay it beside the rod").click()
+    button(page, "Lay it beside the picture").click()
     for step in ("set", "number", "order", "summary"):
         button(page, "Next →").or_(button(page, "Skip →")).click()
         ready(page)
