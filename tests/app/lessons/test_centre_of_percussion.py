@@ -51,7 +51,7 @@ def test_numbers(language):
         "1.8": abs(free.target_spin[2]) * END, "0.36": END**2, "1.9": WANTED, "0.8": PERCUSSION, "1": 1.0, "0": 0.0,
         "0.2": PERCUSSION - END, "0.51": hung.impulse, "0.26": pushed(1.0), "0.4": bar.length * 2.0 / 3.0,
         "0.197": weight(), "0.0041": pendulum.inertia, "0.19": pendulum.pivot_distance,
-        "0.114": pendulum.inertia / pendulum.pivot_distance**2, "1000": KILO,
+        "0.114": pendulum.inertia / pendulum.pivot_distance**2, "1000": KILO, "0.667": PERCUSSION / LENGTH,
     }  # fmt: skip
     assert_numbers(NAME, language, values)
     assert same("1.2", LENGTH) and same("0.6", bar.length) and same("3", abs(free.target_spin[2]))
@@ -80,6 +80,11 @@ def test_the_lower_end_goes_one_way_or_the_other():
     assert lower_end(0.5) < 0.0 < lower_end(0.75) < lower_end(1.0)
     upper = struck(0.4 / LENGTH)  # struck on the other side, the upper end stands still
     assert upper.target_velocity[0] + np.cross(upper.target_spin, [0.0, END, 0.0])[0] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_the_last_step_shows_the_rod_struck_where_its_lower_end_stands_still():
+    assert lower_end(STEPS[-1].choices["place"]) == pytest.approx(0.0, abs=1e-3)
+    assert struck(STEPS[-1].choices["place"]).target_spin[2] > 1.0
 
 
 def test_the_push_is_largest_near_the_middle():

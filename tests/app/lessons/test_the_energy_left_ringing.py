@@ -72,6 +72,8 @@ def test_bending_goes_up_and_down_while_the_sum_stays():
     free = found["time"] > MIDDLE.contacts[-1].end
     time, bent, moving = (found[key][free] for key in ("time", "target_strain", "target_kinetic"))
     assert bent + moving == pytest.approx(bent[0] + moving[0], rel=1e-9)
+    ringing_on = part(MIDDLE, "target_vibration") - bent[-1]  # as motion, beside that of the bar as a whole
+    assert moving[-1] - part(MIDDLE, "target_rigid") == pytest.approx(ringing_on, abs=0.1)
     assert bent.max() == pytest.approx(part(MIDDLE, "target_vibration"), rel=0.01) and bent.min() < 0.1
     early = time < 0.9e-3
     apart = time[~early][bent[~early].argmax()] - time[early][bent[early].argmax()]

@@ -85,7 +85,7 @@ def test_the_gallery_has_these_lessons_and_says_how_many_need_a_server(opened):
     assert group.get_by_role("link").count() == len(ALONE)
     others = len(lesson_names()) - len(ALONE)
     assert f"{others} more lessons need a server." in group.inner_text()
-    group.get_by_role("link", name="A mass strikes a rod").click()
+    group.get_by_role("link", name="What comes after the bounce?").click()
     tab.wait_for_function(f"() => window.strikewave && ({AT})(0)", timeout=SECONDS)
     assert tab.errors == []
 
