@@ -144,6 +144,10 @@ export class Analyses {
     if (opened.length && this.layout.tabbed) this.layout.show('analysis');
     if (this.order.map(seen).join() !== before) this.arrange();
   }
+  /** Wherever they stand: a lesson has them below its picture, in no place of the page's. */
+  get #open() {
+    return this.all.filter(({ open }) => open);
+  }
   // Those that are open from the first on.
   resume() {
     const open = this.all.filter((view) => view.open);
@@ -154,9 +158,9 @@ export class Analyses {
   }
   /** @param {number} t */
   show(t) {
-    for (const view of this.order) view.show(t);
+    for (const view of this.#open) view.show(t);
   }
   draw() {
-    for (const view of this.order) view.draw();
+    for (const view of this.#open) view.draw();
   }
 }

@@ -120,3 +120,21 @@ def test_why_a_scene_is_refused_stays_where_its_picture_would_be(changed, size, 
     onwards(page, "Skip →")
     expect(why).to_have_count(0)
     expect(page.tab.locator(".stages")).to_be_visible()
+
+
+LINE = """() => strikewave.page.analyses.energy.figure.model('energy-cursor')?.location
+  / (1000 * strikewave.page.player.t)"""  # its axis is in ms
+
+
+def test_the_line_of_a_chart_below_the_picture_follows_the_clock(open_page):
+    page = open_page("?lesson=the-energy-left-ringing&step=3")
+    ready(page)
+    page.wait(f"() => Math.abs(({LINE})() - 1) < 1e-9")
+    page.evaluate("() => strikewave.page.player.go(5e-4)")
+    assert page.evaluate(LINE) == pytest.approx(1)
+    button(page, "Back").click()
+    ready(page)
+    onwards(page, "Skip →")
+    page.wait(f"() => Math.abs(({LINE})() - 1) < 1e-9")
+    page.evaluate("() => strikewave.page.player.go(1e-3)")
+    assert page.evaluate(LINE) == pytest.approx(1)
