@@ -46,7 +46,8 @@ def serve(
     connections.bound(server._http, most)
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
-    print(command(spoken()).text("run.page-at", address=f"http://{host}:{port}"), flush=True)
+    at = origins[0] if origins and not proxies else f"{host}:{port}"  # other hosts are refused; a proxy is elsewhere
+    print(command(spoken()).text("run.page-at", address=f"http://{at}"), flush=True)
     server.io_loop.add_callback(calibrate_machine)
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
     with contextlib.suppress(KeyboardInterrupt):

@@ -70,6 +70,12 @@ EDGES = """(instants) => {
 }"""
 
 
+def test_no_front_is_named_before_it_has_set_out(open_page):
+    """At the touch it would tell a lesson's answer: what moves first."""
+    page = open_page()
+    assert "front" not in page.evaluate(SAID_ON_STAGE, 0) and "front" in page.evaluate(SAID_ON_STAGE, 0.1)
+
+
 @pytest.mark.parametrize("scene", ["split-hopkinson", "stepped-rod", "semi-infinite-rod"])
 def test_rods_that_fly_off_stay_in_the_picture(open_page, scene):
     page = open_page(f"?scene={scene}")
