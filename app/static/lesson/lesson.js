@@ -58,6 +58,7 @@ export class Lesson {
   at = -1;
   /** @type {Question | null} */ question = null;
   coming = false; // the scene of this step is still to come
+  paper = false; // steps are shown to be printed
   /** @type {Events} */ events = {};
   unit = 1; // of the page's clock, that a T is
   rows = false; // whether they are seen below the picture
@@ -157,7 +158,7 @@ export class Lesson {
     return (this.progress.answers[name] ??= JSON.parse(JSON.stringify(fresh)));
   }
   keep() {
-    keep(this.key, this.progress);
+    if (!this.paper) keep(this.key, this.progress);
   }
   restart() {
     this.progress = { of: this.#questions, far: 0, answers: {} };
@@ -188,6 +189,7 @@ export class Lesson {
   /**
    * @param {number} at
    * @param {boolean} [focus]
+   * @returns {Promise<boolean>}  whether it is there, with what stands beside it
    */
   enter(at, focus = true) {
     const { page, progress, record } = this;
@@ -206,12 +208,15 @@ export class Lesson {
     const { beside } = this.#scene;
     const own = this.at;
     this.second.want(beside && Object.keys(beside).length ? { ...this.#settings, ...beside } : null);
-    page.goTo(this.#settings, (frame) => {
-      if (frame && own === this.at) this.#arrive(frame);
-      else this.awaited.end();
+    const there = new Promise((done) => {
+      page.goTo(this.#settings, (frame) => {
+        if (frame && own === this.at) done(this.#arrive(frame));
+        else done(this.awaited.end());
+      });
     });
     if (this.coming) this.awaited.begin(first);
     page.history.write();
+    return there.then(() => !this.coming && own === this.at);
   }
   /** @param {Frame} frame  of this step */
   #arrive(frame) {
@@ -222,7 +227,7 @@ export class Lesson {
     this.load(frame);
     this.below.show(this.below.names, true);
     this.#begin();
-    this.#beside(frame);
+    return this.#beside(frame);
   }
   /** All that is chosen in this step. */
   get #settings() {
