@@ -108,7 +108,6 @@ test('a cone is a triangle from the side, a circle from its end, and nothing wit
 test('words stay within the sides of the picture', () => {
   const seen = [];
   const c = {
-    canvas: { clientWidth: 200 },
     measureText: () => ({
       actualBoundingBoxLeft: c.textAlign === 'right' ? 150 : 0,
       actualBoundingBoxRight: c.textAlign === 'left' ? 150 : 0,
@@ -118,7 +117,7 @@ test('words stay within the sides of the picture', () => {
     save: () => {},
     restore: () => {},
   };
-  unlabelled(c, [], []);
+  unlabelled(c, [], [], 200);
   label(c, 'cone of friction', [100, 30], [-1, 0]); // written to the left, from its right end
   label(c, 'cone of friction', [100, 90], [1, 0]);
   assert.deepEqual(seen, [156, 44]); // and off the edge

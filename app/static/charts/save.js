@@ -8,12 +8,20 @@ import { svgContext } from './svg.js';
 
 /** @typedef {import('./chart.js').Chart} Chart */
 
-const FINE = 2;
+export const FINE = 2;
 const LINE = 18; // pixels of a line of the head
 const EDGE = 10;
 
 /** @param {Chart} chart */
-export async function savePng(chart) {
+export function savePng(chart) {
+  pictureOf(chart).toBlob((blob) => blob && download(blob, `${nameOf(chart)}.png`));
+}
+
+/**
+ * With `FINE` pixels for one of the page.
+ * @param {Chart} chart
+ */
+export function pictureOf(chart) {
   const head = heads(chart);
   const image = make('canvas', { width: FINE * chart.width, height: FINE * (chart.height + head.height) });
   const c = contextOf(image);
@@ -21,7 +29,7 @@ export async function savePng(chart) {
   c.fillStyle = COLORS.panel;
   c.fillRect(0, 0, chart.width, chart.height + head.height);
   compose(chart, c, head);
-  image.toBlob((blob) => blob && download(blob, `${nameOf(chart)}.png`));
+  return image;
 }
 
 /** @param {Chart} chart */

@@ -133,6 +133,7 @@ export class History {
     const { page, entry } = this;
     const { lesson, on } = page.opening.teaching;
     if (!page.frame || page.changes.quiet || (on && !lesson)) return; // a lesson that comes has an address of its own
+    if (lesson?.paper) return; // nobody goes there
     const now = performance.now();
     const [state, address] = this.#now();
     const moved = entry && state.choices !== entry.choices;

@@ -1,6 +1,7 @@
 // Charts and analyses of the page that a step shows below its picture, in the place of the rows.
 import { make } from '../browser/dom.js';
 
+/** @import { Chart } from '../charts/chart.js' */
 /** @import { Page } from '../page.js' */
 
 const OF_SOLUTIONS = ['force', 'moved']; // charts that have other solutions of the impact beside the first
@@ -24,10 +25,15 @@ export class Below {
    * @returns {HTMLElement | undefined}
    */
   #part(name) {
-    const { analyses, view } = this.page;
-    const charts = Object.fromEntries(view.stack?.charts ?? []);
-    const found = { ...charts, indentation: view.cycle?.chart, dispersion: view.dispersion?.chart }[name];
+    const { analyses } = this.page;
+    const found = this.charts[name];
     return found && !found.root.hidden ? found.root : analyses.byName.get(name)?.root;
+  }
+  /** @returns {Record<string, Chart | undefined>} those of the view that is seen, by name */
+  get charts() {
+    const { view } = this.page;
+    const charts = Object.fromEntries(view.stack?.charts ?? []);
+    return { ...charts, indentation: view.cycle?.chart, dispersion: view.dispersion?.chart };
   }
   get #parts() {
     return this.names.flatMap((name) => this.#part(name) ?? []);

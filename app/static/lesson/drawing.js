@@ -83,14 +83,15 @@ export function say(c, words, x, y, color, align = 'left') {
 /**
  * @param {Context} c
  * @param {Paper} paper
+ * @param {{ edge: string, faint: string, grid: string }} [colors]
  */
-export function axes(c, paper) {
+export function axes(c, paper, colors = COLORS) {
   const { axis, bottom, left, tall, top, until, wide } = paper;
   c.font = letters(13);
   c.lineWidth = 1;
   const across = ticks(0, until, wide / (TICK.across * zoom));
   const down = ticks(axis[0], axis[1], tall / (TICK.down * zoom));
-  c.strokeStyle = COLORS.grid;
+  c.strokeStyle = colors.grid;
   c.beginPath();
   for (const t of across.found) {
     c.moveTo(paper.x(t), top);
@@ -101,7 +102,7 @@ export function axes(c, paper) {
     c.lineTo(left + wide, paper.y(value));
   }
   c.stroke();
-  c.strokeStyle = COLORS.edge;
+  c.strokeStyle = colors.edge;
   c.beginPath();
   c.moveTo(left, top);
   c.lineTo(left, bottom);
@@ -110,10 +111,10 @@ export function axes(c, paper) {
   c.stroke();
   for (const t of across.found) {
     const words = t ? `${localised(String(Number(t.toFixed(across.digits))))} T` : '0';
-    say(c, words, paper.x(t), bottom + 17 * zoom, COLORS.faint, t > 0.97 * until ? 'right' : 'center');
+    say(c, words, paper.x(t), bottom + 17 * zoom, colors.faint, t > 0.97 * until ? 'right' : 'center');
   }
   for (const value of down.found)
-    say(c, localised(value.toFixed(down.digits)), left - 8, paper.y(value) + 4, COLORS.faint, 'right');
+    say(c, localised(value.toFixed(down.digits)), left - 8, paper.y(value) + 4, colors.faint, 'right');
   const first = across.found[1] ?? until;
   say(c, text('lesson.time'), paper.x(0.5 * first), bottom + 17 * zoom, COLORS.ink, 'center');
 }

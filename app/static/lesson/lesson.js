@@ -59,6 +59,7 @@ export class Lesson {
   at = -1;
   /** @type {Question | null} */ question = null;
   coming = false; // the scene of this step is still to come
+  paper = false; // steps are shown to be printed
   /** @type {Events} */ events = {};
   unit = 1; // of the page's clock, that a T is
   rows = false; // whether they are seen below the picture
@@ -158,7 +159,7 @@ export class Lesson {
     return (this.progress.answers[name] ??= JSON.parse(JSON.stringify(fresh)));
   }
   keep() {
-    keep(this.key, this.progress);
+    if (!this.paper) keep(this.key, this.progress);
   }
   restart() {
     this.progress = { of: this.#questions, far: 0, answers: {} };
@@ -189,6 +190,7 @@ export class Lesson {
   /**
    * @param {number} at
    * @param {boolean} [focus]
+   * @returns {Promise<boolean>}  whether it is there, with what stands beside it
    */
   enter(at, focus = true) {
     const { page, progress, record } = this;
@@ -207,13 +209,15 @@ export class Lesson {
     const { beside } = this.#scene;
     const own = this.at;
     this.second.want(beside && Object.keys(beside).length ? { ...this.#settings, ...beside } : null);
-    page.goTo(this.#settings, (frame) => {
-      if (own !== this.at) this.awaited.end();
-      else if (frame) this.#arrive(frame);
-      else this.awaited.refuse(refusalIn(page.model));
+    const there = new Promise((done) => {
+      page.goTo(this.#settings, (frame) => {
+        if (own !== this.at) done(this.awaited.end());
+        else done(frame ? this.#arrive(frame) : this.awaited.refuse(refusalIn(page.model)));
+      });
     });
     if (this.coming) this.awaited.begin(first);
     page.history.write();
+    return there.then(() => !this.coming && own === this.at);
   }
   /** @param {Frame} frame  of this step */
   #arrive(frame) {
@@ -224,7 +228,7 @@ export class Lesson {
     this.load(frame);
     this.below.show(this.below.names, true);
     this.#begin();
-    this.#beside(frame);
+    return this.#beside(frame);
   }
   /** All that is chosen in this step. */
   get #settings() {

@@ -1,23 +1,35 @@
 // A lesson on paper: all its steps with room for answers, and no answer; a key for the teacher on a page of its own.
+import { contextOf } from '../charts/canvas.js';
+import { FINE, pictureOf } from '../charts/save.js';
 import { make } from '../browser/dom.js';
+import { late } from '../browser/late.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import * as drawing from './drawing.js';
-import { eventsOf, timeOf } from './events.js';
+import { curveOf, timeOf } from './events.js';
 import { elementsOf } from './nodes.js';
 import { quantityWords, unitWord } from './number.js';
 import { mixed } from './order.js';
 import { asks } from './questions.js';
+import { FACTORS } from './sketch.js';
 
 /** @import { Events } from './events.js' */
-/** @import { Lesson, Step } from './lesson.js' */
+/** @import { Samples } from '../charts/scale.js' */
+/** @import { Lesson } from './lesson.js' */
 /** @import { Part } from './questions.js' */
+/** @typedef {{ src: string, width?: number }} Picture  `width`: in pixels of the page, so that letters are as there */
+/** @typedef {{ events: Events, curve: Samples | null, stage: Picture[], below: Picture[] }} Shown  of a step */
 
 export const KEY = 'key'; // in the address
-const CHART = { width: 900, height: 420 }; // pixels of an empty one
+const CHART = { width: 704, height: 300 }; // pixels of an empty one
+const INKS = { edge: '#000000', faint: '#000000', grid: '#8b95a1' }; // to be read when printed
 const UNKNOWN = { start: '…', end: '…', peak: '…', yours: '…', true: '…' }; // on paper nothing was moved or drawn
-const WAIT = 20_000; // ms for the picture of a step
+const WAIT = 20_000; // ms for the pictures of a step
+const FIGURE = '.figure-area';
+const AWAITED = `[aria-busy='true'], ${FIGURE}:empty`; // an analysis that has no answer yet, or no figure
+const PAINTED = 600; // ms that a figure takes to be drawn anew
+const LOOK = 100; // ms until it is seen again whether an analysis is there
 
 /**
  * @param {string} textContent
@@ -25,50 +37,73 @@ const WAIT = 20_000; // ms for the picture of a step
  */
 const line = (textContent, className = '') => make('p', { textContent, className });
 
+/** @param {number} ms */
+const after = (ms) => new Promise((done) => setTimeout(done, ms));
+
 /**
- * Axes with the given point, to be drawn on.
- * @param {Part} part
- * @param {Events} events
+ * @param {Picture} picture
+ * @param {string} className
  */
-function emptyChart({ axis, given, until }, events) {
-  const canvas = make('canvas', { ...CHART, className: 'print-chart' });
-  const c = canvas.getContext('2d');
-  const chart = { axis, until: timeOf(until, events) || 1 };
-  if (!c) return canvas;
-  const paper = new drawing.Paper(CHART.width, CHART.height, chart);
-  drawing.axes(c, paper);
-  if (given) drawing.dot(c, paper, given);
-  return make('img', { src: canvas.toDataURL(), className: 'print-chart', alt: '' });
+function imageOf({ src, width }, className) {
+  const image = make('img', { src, className, alt: '' });
+  if (width) image.style.width = `${width}px`;
+  return image;
 }
 
-/** @type {Record<string, (part: Part, lesson: Lesson, events: Events) => Node[]>} */
+/**
+ * Axes with the given point, to be drawn on, or with what happens.
+ * @param {Part} part
+ * @param {Shown} shown
+ * @param {boolean} full
+ */
+function chartOf({ axis, given, until }, { curve, events }, full) {
+  const { width, height } = CHART;
+  const canvas = make('canvas', { width: FINE * width, height: FINE * height });
+  const c = contextOf(canvas);
+  const chart = { axis, until: timeOf(until, events) || 1 };
+  c.scale(FINE, FINE);
+  const paper = new drawing.Paper(width, height, chart);
+  drawing.axes(c, paper, INKS);
+  if (full && curve) drawing.truth(c, paper, curve, Infinity);
+  else if (given) drawing.dot(c, paper, given);
+  return imageOf({ src: canvas.toDataURL(), width }, 'print-chart');
+}
+
+/** @type {Record<string, (part: Part, lesson: Lesson, shown: Shown) => Node[]>} */
 const ASKED = {
   choice: ({ options }) =>
     options.map((/** @type {Part} */ each) => make('p', { className: 'print-box' }, ...elementsOf(each.text))),
   number: ({ units }) => [make('p', { className: 'print-blank' }, units.map(unitWord).join(' / '))],
-  order: ({ items }) =>
-    mixed(items.length).map((k) => make('p', { className: 'print-box' }, ...elementsOf(items[k].text))),
+  order: ({ items }) => [
+    line(text('lesson.number-them')),
+    ...mixed(items.length).map((k) => make('p', { className: 'print-place' }, ...elementsOf(items[k].text))),
+  ],
   set: ({ slider, start }, lesson) => [
     line(text('lesson.from', { value: lesson.valueWords(slider, start).trim() })),
     make('p', { className: 'print-blank' }),
   ],
-  sketch: (part, _, events) => [
+  sketch: (part, _, shown) => [
     line(text('lesson.axis', { track: text(`lesson.track.${part.track}`), unit: part.unit })),
-    emptyChart(part, events),
+    chartOf(part, shown, false),
   ],
 };
 
-/** @type {Record<string, (part: Part) => Node[]>} */
+/** @type {Record<string, (part: Part, shown: Shown) => Node[]>} */
 const RIGHT = {
   choice: ({ options }) =>
     options
-      .filter((/** @type {Part} */ each) => each.right)
-      .flatMap((/** @type {Part} */ each) => [
-        make('p', {}, make('b', {}, ...elementsOf(each.text))),
-        make('p', {}, ...elementsOf(each.say)),
+      .toSorted((/** @type {Part} */ a, /** @type {Part} */ b) => Number(b.right) - Number(a.right))
+      .flatMap((/** @type {Part} */ { right, say, text: words }) => [
+        make('p', { className: 'print-option' }, make(right ? 'b' : 'em', {}, ...elementsOf(words))),
+        make('p', {}, ...elementsOf(say)),
       ]),
-  number: ({ answer, unit, yes }) => [
-    make('p', {}, make('b', { textContent: quantityWords(answer, unit, 4) })),
+  number: ({ answer, tolerance, unit, yes }) => [
+    make(
+      'p',
+      {},
+      make('b', { textContent: quantityWords(answer, unit, 4) }),
+      ` (± ${quantityWords(tolerance, unit, 2)})`,
+    ),
     make('p', {}, ...elementsOf(yes)),
   ],
   order: ({ items }) => [
@@ -83,13 +118,14 @@ const RIGHT = {
         : [];
       return make('p', {}, ...where, ...(ends ? [': '] : []), ...elementsOf(say, UNKNOWN));
     }),
-  sketch: ({ judges }) =>
-    judges.map((/** @type {Part} */ each) => make('p', {}, ...elementsOf(each.says.yes, UNKNOWN))),
+  sketch: (part, shown) => [
+    ...(shown.curve ? [chartOf(part, shown, true)] : []),
+    ...part.judges.map((/** @type {Part} */ each) => make('p', {}, ...elementsOf(each.says.yes, UNKNOWN))),
+  ],
 };
 
 export class Print {
-  /** @type {Map<number, string>} */ stills = new Map(); // by step
-  /** @type {Map<number, Events>} */ events = new Map();
+  /** @type {Map<number, Shown>} */ shown = new Map(); // by step
   root = make('div', { className: 'lesson-print' });
 
   /** @param {Lesson} lesson */
@@ -118,40 +154,55 @@ export class Print {
     }
     this.dialog.showModal();
   }
-  /** With a picture of each step, which is shown for a moment. */
+  /** With pictures of all steps, each of which is shown for a moment as it is before anything is answered. */
   async print() {
     this.dialog.close();
     const { lesson } = this;
-    const { at } = lesson;
-    lesson.page.root.classList.add('printing'); // where pictures are as wide as a sheet
-    lesson.awaited.begin(true); // nobody sees steps that are still ahead
-    lesson.page.controls.bound({}); // which are not held by the slider of this one
-    for (const k of lesson.record.steps.keys()) await this.#still(k);
-    lesson.page.root.classList.remove('printing');
-    lesson.enter(at, false);
+    const { at, progress, still } = lesson;
+    const { root } = lesson.page;
+    root.classList.add('printing'); // where pictures are as wide as a sheet, and nobody sees what is still ahead
+    Object.assign(lesson, { paper: true, still: true, progress: { ...progress, far: 0, answers: {} } });
+    for (const k of lesson.record.steps.keys()) await this.#look(k);
+    Object.assign(lesson, { progress, still });
+    root.classList.remove('printing');
+    await lesson.enter(at, false);
+    lesson.paper = false;
     this.#fill();
     window.print();
   }
   /** @param {number} k */
-  async #still(k) {
+  async #look(k) {
     const { lesson } = this;
     const { page } = lesson;
-    const step = lesson.record.steps[k];
-    if (this.stills.has(k)) return;
-    lesson.coming = true; // so that nothing of it counts
-    const frame = await new Promise((arrived) => {
-      setTimeout(arrived, WAIT);
-      page.goTo({ scene: step.scene, ...step.choices, ...placeOf(step) }, arrived);
-    });
-    if (!frame) return;
-    this.events.set(k, eventsOf(frame));
+    const { parts } = lesson.record.steps[k];
+    if (this.shown.has(k) || parts.some(sums)) return;
+    if (!(await Promise.race([lesson.enter(k, false), after(WAIT)]))) return;
     page.layout.place();
-    const { player } = page;
-    player.bound(Infinity);
-    player.go(0); // before anything has happened
+    await this.#settled();
+    const { printed } = await late('take/files.js');
+    const taken = (/** @type {Iterable<Element>} */ all) =>
+      [...all].flatMap((each) => {
+        if (!each.checkVisibility()) return [];
+        const chart = Object.values(lesson.below.charts).find((one) => one?.root === each);
+        return chart ? { src: pictureOf(chart).toDataURL(), width: chart.width } : printed(page, each);
+      });
+    const rows = lesson.rows ? page.root.querySelectorAll('.section') : [];
+    const part = parts.find(({ kind }) => kind === 'sketch');
+    this.shown.set(k, {
+      events: lesson.events,
+      curve: part ? curveOf(page.frame, FACTORS[part.unit] ?? 1) : null,
+      stage: taken(page.root.querySelectorAll('.stages')),
+      below: taken([...rows, ...lesson.below.root.children]),
+    });
+  }
+  /** Until all that is shown is drawn at its size, and analyses have come. */
+  async #settled() {
+    const { root } = this.lesson.below;
+    const latest = performance.now() + WAIT;
+    do await after(LOOK);
+    while (root.querySelector(AWAITED) && performance.now() < latest);
+    if (root.querySelector(FIGURE)) await after(PAINTED);
     await new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(painted)));
-    player.go(0);
-    this.stills.set(k, page.view.stage.canvas.toDataURL());
   }
   /** What is printed, as the page stands. */
   #fill() {
@@ -162,22 +213,26 @@ export class Print {
     const wanted = this.dialog.isConnected ? this.key.checked : lesson.flags.includes(KEY);
     /** @type {HTMLElement[]} */
     const key = [make('h1', { textContent: text('lesson.key-of', { title: record.title }) })];
-    const shown = lesson.coming ? '' : page.view.stage.canvas.toDataURL();
-    let all = true;
+    const drawn = record.steps.findIndex(({ parts }) => parts.some(({ kind }) => kind === 'sketch'));
+    const stage = lesson.coming ? [] : [{ src: page.view.stage.canvas.toDataURL() }];
     const steps = record.steps.flatMap((step, k) => {
       const part = step.parts.find(asks);
-      if (part) key.push(make('section', {}, make('h2', { textContent: step.title }), ...RIGHT[part.kind](part)));
-      if (step.parts.some(({ kind }) => kind === 'summary')) return []; // which says what is so
+      const none = { events: lesson.events, curve: null, stage: k === lesson.at ? stage : [], below: [] };
+      const shown = this.shown.get(k) ?? none;
+      const below = shown.below.map((each) => imageOf(each, 'print-below'));
+      const tells = drawn >= 0 && k >= drawn; // what is to be drawn
+      const right = [...(tells ? below : []), ...(part ? RIGHT[part.kind](part, shown) : [])];
+      if (right.length) key.push(make('section', {}, make('h2', { textContent: step.title }), ...right));
+      if (step.parts.some(sums)) return []; // which says what is so
       const texts = step.parts.filter(({ kind }) => kind === 'text').flatMap(({ nodes }) => elementsOf(nodes));
-      const src = this.stills.get(k) ?? (k === lesson.at ? shown : '');
-      all &&= Boolean(src);
-      const still = src ? [make('img', { src, className: 'print-still', alt: '' })] : [];
-      const asked = part ? ASKED[part.kind](part, lesson, this.events.get(k) ?? lesson.events) : [];
+      const pictures = [...shown.stage.map((each) => imageOf(each, 'print-still')), ...(tells ? [] : below)];
+      const asked = part ? ASKED[part.kind](part, lesson, shown) : [];
       return [
-        make('section', {}, make('h2', { textContent: `${k + 1}. ${step.title}` }), ...texts, ...still, ...asked),
+        make('section', {}, make('h2', { textContent: `${k + 1}. ${step.title}` }), ...texts, ...pictures, ...asked),
       ];
     });
     const title = make('h1', { textContent: record.title_before });
+    const all = record.steps.every(({ parts }, k) => this.shown.has(k) || parts.some(sums));
     const whole = all || !this.button.isConnected;
     const note = whole ? [] : [line(text('lesson.pictures'), 'print-note')];
     root.replaceChildren(
@@ -189,12 +244,5 @@ export class Print {
   }
 }
 
-/**
- * Where the slider of a step begins.
- * @param {Step} step
- * @returns {Record<string, number>}
- */
-function placeOf(step) {
-  const part = step.parts.find(({ kind }) => kind === 'set');
-  return part ? { [part.slider]: part.start } : {};
-}
+/** @param {Part} part */
+const sums = ({ kind }) => kind === 'summary';

@@ -55,7 +55,7 @@ export function head(c, [x, y], [dx, dy], long) {
 }
 
 /** @typedef {[left: number, top: number, right: number, bottom: number]} Box  in pixels */
-/** @type {WeakMap<Context, { words: Box[], drawn: Box[] }>} */
+/** @type {WeakMap<Context, { words: Box[], drawn: Box[], wide: number }>} */
 const taken = new WeakMap(); // of the picture that is being drawn
 const EDGE = 6; // px between a label and the edge of the picture
 const LINE = 13; // pixels
@@ -69,8 +69,9 @@ const PLATE = 'rgba(255,255,255,.8)'; // on which what lies on a body is read
  * @param {Context} c
  * @param {Box[]} words  where none may lie
  * @param {Box[]} drawn  where none lies if there is room elsewhere
+ * @param {number} wide  pixels of the picture; its canvas may be that of a file
  */
-export const unlabelled = (c, words, drawn) => taken.set(c, { words, drawn });
+export const unlabelled = (c, words, drawn, wide) => taken.set(c, { words, drawn, wide });
 
 /**
  * @param {Box} one
@@ -88,9 +89,8 @@ const overlap = ([l, t, r, b], [left, top, right, bottom]) => r >= left && l <= 
  */
 function freed(c, text, x, y) {
   const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } = c.measureText(text);
-  const { words, drawn } = taken.get(c) ?? { words: [], drawn: [] };
+  const { words, drawn, wide } = taken.get(c) ?? { words: [], drawn: [], wide: Infinity };
   const middle = c.textBaseline === 'top' ? y + LINE / 2 : c.textBaseline === 'bottom' ? y - LINE / 2 : y;
-  const wide = c.canvas.clientWidth;
   const within = Math.max(Math.min(x, wide - right - EDGE), left + EDGE);
   const places = ASIDE.flatMap((aside) =>
     ELSEWHERE.map((lines) => {

@@ -145,7 +145,7 @@ export class BodiesStage {
     [this.time, this.share] = [t, share];
     const now = Math.min(Math.max(t, -1), 1);
     const [tip, contact, ...bodies] = drawnAt(this, now);
-    unlabelled(c, [...corners(c, this, now), tip, contact], bodies);
+    unlabelled(c, [...corners(c, this, now), tip, contact], bodies, sheet.width);
     if (this.stopped) stopAt(c, [this.x, this.y], this.flat(frame.normal), this.reach);
     c.globalAlpha = 0.28;
     for (const name of BOTH) {

@@ -17,6 +17,16 @@ export function savePng(page, named) {
 }
 
 /**
+ * A part of the page as an address of its picture, and how wide it is there [px].
+ * @param {Page} page
+ * @param {Element} part
+ */
+export function printed(page, part) {
+  const picture = pictureOf(page, FINE, part);
+  return { src: picture.toDataURL(), width: picture.width / FINE };
+}
+
+/**
  * @param {Page} page
  * @param {Named} named
  */

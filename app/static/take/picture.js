@@ -13,18 +13,33 @@ const SILENT = '.unseen, .tools, [role="tooltip"]';
 const EDGE = 16; // pixels around
 const LINE = 20; // below, where it says whose it is
 
-/** @param {Page} page */
-function partsOf({ root }) {
-  const parts = [...root.querySelectorAll(PARTS)].filter((part) => part.checkVisibility() && part.clientHeight);
+/**
+ * @param {Page} page
+ * @param {Element} [one]  of its parts, alone: with nothing around it, and no word of whose it is
+ */
+function partsOf({ root }, one) {
+  const all = one ? [one] : [...root.querySelectorAll(PARTS)];
+  const parts = all.filter((part) => part.checkVisibility() && part.clientHeight);
+  const [edge, line] = one ? [0, 0] : [EDGE, LINE];
   const boxes = parts.map((part) => part.getBoundingClientRect());
   const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];
-  const width = Math.max(...boxes.map(({ right }) => right)) - left + 2 * EDGE;
-  const height = Math.max(...boxes.map(({ bottom }) => bottom)) - top + 2 * EDGE + LINE;
-  const canvases = parts.flatMap((part) => [...part.querySelectorAll('canvas')]);
+  const width = Math.max(...boxes.map(({ right }) => right)) - left + 2 * edge;
+  const height = Math.max(...boxes.map(({ bottom }) => bottom)) - top + 2 * edge + line;
+  const canvases = parts.flatMap(canvasesIn);
   const layers = canvases.map((canvas) => ({ canvas, box: canvas.getBoundingClientRect() }));
   const seen = layers.filter(({ canvas, box }) => canvas.checkVisibility() && box.width && box.height);
-  return { parts, layers: seen, left: left - EDGE, top: top - EDGE, width, height };
+  return { parts, layers: seen, left: left - edge, top: top - edge, width, height, signed: !one };
 }
+
+/**
+ * Also those of figures, which have roots of their own.
+ * @param {Element | ShadowRoot} part
+ * @returns {HTMLCanvasElement[]}
+ */
+const canvasesIn = (part) =>
+  [...part.querySelectorAll('*')].flatMap((each) =>
+    each.shadowRoot ? canvasesIn(each.shadowRoot) : each.matches('canvas') ? /** @type {any} */ (each) : [],
+  );
 
 /**
  * A colour that is mixed in a style sheet, as anything reads it.
@@ -36,12 +51,13 @@ function plain(color) {
 }
 
 /**
- * The words of a part of the page, each where it stands.
+ * The words of a part of the page, each where it stands, also those of figures.
  * @param {Context} c
- * @param {Element} part
+ * @param {Element | ShadowRoot} part
+ * @param {{ bottom: number, top: number }} box  of what is seen of it
  */
-function write(c, part) {
-  const { bottom, top } = part.getBoundingClientRect();
+function write(c, part, { bottom, top }) {
+  for (const { shadowRoot } of part.querySelectorAll('*')) if (shadowRoot) write(c, shadowRoot, { bottom, top });
   const texts = document.createTreeWalker(part, NodeFilter.SHOW_TEXT);
   const range = document.createRange();
   c.textAlign = 'left';
@@ -70,14 +86,15 @@ function write(c, part) {
  * @param {ReturnType<typeof partsOf>} seen
  * @param {(layer: Layer) => void} draw  what a canvas shows, in its place
  */
-function compose(c, page, { height, layers, left, parts, top, width }, draw) {
+function compose(c, page, { height, layers, left, parts, signed, top, width }, draw) {
   c.fillStyle = COLORS.panel;
   c.fillRect(0, 0, width, height);
   c.save();
   c.translate(-left, -top);
   for (const layer of layers) draw(layer);
-  for (const part of parts) write(c, part);
+  for (const part of parts) write(c, part, part.getBoundingClientRect());
   c.restore();
+  if (!signed) return;
   c.font = letters(13);
   c.fillStyle = COLORS.faint;
   c.textAlign = 'right';
@@ -92,7 +109,9 @@ function compose(c, page, { height, layers, left, parts, top, width }, draw) {
  * @param {(box: DOMRect) => C} made
  */
 function redrawn(page, layers, made) {
-  const drawn = new Map(layers.map(({ box, canvas }) => [canvas, made(box)]));
+  const here = page.root.getRootNode();
+  const own = layers.filter(({ canvas }) => canvas.getRootNode() === here); // a figure is drawn by others
+  const drawn = new Map(own.map(({ box, canvas }) => [canvas, made(box)]));
   try {
     for (const [canvas, c] of drawn) divert(canvas, c);
     page.redraw();
@@ -107,10 +126,10 @@ function redrawn(page, layers, made) {
  * A canvas for all of it.
  * @param {Page} page
  * @param {number} fine  pixels of the canvas for one of the page
+ * @param {{ width: number, height: number }} [seen]
  */
-export function canvasOf(page, fine) {
+export function canvasOf(page, fine, { height, width } = partsOf(page)) {
   const even = (/** @type {number} */ size) => 2 * Math.ceil((fine * size) / 2); // as films must be
-  const { height, width } = partsOf(page);
   const canvas = make('canvas', { width: even(width), height: even(height) });
   const c = contextOf(canvas);
   c.scale(fine, fine);
@@ -136,18 +155,18 @@ export function copy(page, c) {
  * What is seen just now, drawn with more pixels than the page has.
  * @param {Page} page
  * @param {number} fine
+ * @param {Element} [one]  of its parts, alone
  */
-export function pictureOf(page, fine) {
-  const seen = partsOf(page);
+export function pictureOf(page, fine, one) {
+  const seen = partsOf(page, one);
   const drawn = redrawn(page, seen.layers, ({ height, width }) => {
     const c = contextOf(make('canvas', { width: fine * width, height: fine * height }));
     c.scale(fine, fine);
     return c;
   });
-  const { c, canvas: picture } = canvasOf(page, fine);
+  const { c, canvas: picture } = canvasOf(page, fine, seen);
   compose(c, page, seen, ({ box, canvas }) => {
-    const image = drawn.get(canvas)?.canvas;
-    if (image) c.drawImage(image, box.left, box.top, box.width, box.height);
+    c.drawImage(drawn.get(canvas)?.canvas ?? canvas, box.left, box.top, box.width, box.height);
   });
   return picture;
 }

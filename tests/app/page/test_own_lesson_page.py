@@ -216,10 +216,15 @@ def test_a_lesson_on_paper_has_all_steps_and_no_answer_but_in_the_key(open_page)
     ready(page)
     page.tab.emulate_media(media="print")
     paper = page.tab.locator(".lesson-print")
-    parts = [paper.locator(each).count() for each in ("h2", ".print-still", ".print-chart", ".print-box")]
+    names = ("h2", ".print-still", ".print-chart", ".print-box", ".print-place", ".print-below")
+    parts = [paper.locator(each).count() for each in names]
+    stills = paper.locator(".print-still").evaluate_all("all => all.map((each) => each.src)")
+    wide = paper.locator("img").evaluate_all("all => all.map((each) => each.clientWidth)")
     said, bar = paper.inner_text(), page.tab.locator(".topbar").is_visible()
     page.tab.emulate_media(media="screen")
-    assert parts == [5, 5, 1, 3 + 6] and not bar
+    assert parts == [5, 5, 1, 3, 6, 0] and not bar  # rows would tell what is to be drawn
+    assert len(set(stills)) == 4 and stills[1] == stills[2]  # each at the time that its step is about
+    assert min(wide) > 600 and "Number them in their order" in said
     assert "How long does the front take?" in said
     assert not re.search(r"116|Yes: a wave|bounce twice|In your line|All in order|One contact\.", said), said
     assert page.evaluate("() => strikewave.page.opening.teaching.lesson.progress.far") == 0  # nothing was looked at
@@ -229,13 +234,47 @@ def test_a_lesson_on_paper_has_all_steps_and_no_answer_but_in_the_key(open_page)
     ready(page)
     page.tab.emulate_media(media="print")
     key = page.tab.locator(".print-key").inner_text()
+    charts = [page.tab.locator(f".print-key {each}").count() for each in (".print-chart", ".print-below")]
     page.tab.emulate_media(media="screen")
-    assert "116.4" in key and "A second contact" in key and "from 1.02 to 10: One" in key
+    assert charts == [1, 3]  # what was to be drawn, and the rows of the steps behind it
+    assert (
+        "116.4 µs (± 2.3 µs)" in key
+        and "It pushes the struck end out once more" in key
+        and "A second contact" in key
+        and "from 1.02 to 10: One" in key
+    )
     page.tab.goto(f"http://{page.address}/{LESSON}&key")
     page.laid_out()
     ready(page)
     button(page, "Print").click()
     expect(page.tab.get_by_label("With a key for the teacher")).to_be_checked()  # as the address says
+
+
+def test_paper_has_the_charts_that_texts_speak_of_and_leaves_what_was_answered(open_page):
+    page = open_page("?lesson=bending&step=2", size=(390, 844), color_scheme="dark")
+    ready(page)
+    page.evaluate("() => (window.print = () => (window.printed = true))")
+    progress = "() => JSON.stringify([strikewave.page.opening.teaching.lesson.progress, {...localStorage}])"
+    before = page.evaluate(progress), page.tab.url, page.evaluate("() => history.length")
+    button(page, "Print").click()
+    page.tab.locator(".lesson-printing .lesson-main").click()
+    page.wait("() => window.printed")
+    ready(page)
+    assert (page.evaluate(progress), page.tab.url, page.evaluate("() => history.length")) == before
+    page.tab.emulate_media(media="print")
+    steps = page.tab.locator(".lesson-print section")
+    assert [steps.nth(k).locator(".print-below").count() for k in range(7)] == [0, 1, 0, 2, 1, 0, 2]
+    assert page.evaluate("() => getComputedStyle(document.documentElement).backgroundColor") == "rgba(0, 0, 0, 0)"
+    chart = steps.nth(1).locator(".print-below")
+    assert 300 < chart.evaluate("(each) => each.clientWidth") < 420  # half a page, as its letters are on the page
+    inks = """(each) => {
+      const canvas = Object.assign(document.createElement('canvas'), { width: each.naturalWidth, height: 400 });
+      const c = canvas.getContext('2d');
+      c.drawImage(each, 0, 0);
+      const { data } = c.getImageData(0, 0, canvas.width, canvas.height);
+      return new Set(new Uint32Array(data.buffer)).size;
+    }"""
+    assert chart.evaluate(inks) > 20 and page.tab.locator(".print-key").count() == 0
 
 
 def test_keys_of_a_presenter_walk_through_a_lesson_before_a_class(open_page):
