@@ -45,8 +45,7 @@ def serve(
     server = build(port, address, origins, proxies, sockets=sockets, frames=frames)
     connections.bound(server._http, most)
     server.start()
-    host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
-    at = origins[0] if origins and not proxies else f"{host}:{port}"  # other hosts are refused; a proxy is elsewhere
+    at = opened_at(port, address, origins, bool(proxies))
     print(command(spoken()).text("run.page-at", address=f"http://{at}"), flush=True)
     server.io_loop.add_callback(calibrate_machine)
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
@@ -56,6 +55,14 @@ def serve(
     stop(server)
     print("Stopped.", flush=True)
     return 0
+
+
+def opened_at(port: int, address: str, origins: list[str], proxied: bool) -> str:
+    """Where the page can be opened: at others than the `origins` that are given it would be refused; a proxy has them
+    elsewhere.
+    """
+    host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else f"[{address}]" if ":" in address else address
+    return origins[0] if origins and not proxied else f"{host}:{port}"
 
 
 def stop(server: Any) -> None:

@@ -96,7 +96,7 @@ def test_a_lesson_is_walked_through_with_a_pointer(open_page):
     assert judged(page) == ["✓"] * 5
     button(page, "Lay it beside the picture").click()
     expect(page.tab.locator(".section")).to_be_visible()
-    expect(page.tab.locator(".lesson-after")).to_contain_text("The rows below show the rod")
+    expect(page.tab.locator(".lesson-after")).to_contain_text("Each row shows the rod at one time")
     onwards(page)
     expect(page.tab.locator(".lesson-said")).to_contain_text("the second lasts from 2.03 T to 2.2 T")
     slider = page.tab.locator("#choice-mass_ratio")

@@ -7,6 +7,7 @@ import pytest
 from tornado.httputil import HTTPHeaders
 
 from app.serving.addresses import Addresses, network_of
+from app.serving.server import opened_at
 
 PROXIES = [network_of(each) for each in ("10.0.0.0/8", "192.168.7.1", "fd00::/8")]
 
@@ -68,3 +69,10 @@ def test_a_proxy_that_is_not_named_is_told_of_in_the_log_once(caplog):
         for peer in ("8.8.8.8", "172.17.0.1", "172.17.0.1"):
             addresses.of(SimpleNamespace(remote_ip=peer, headers={"X-Forwarded-For": "1.1.1.1"}))
     assert len(caplog.records) == 1 and "172.17.0.1" in caplog.text and "--behind" in caplog.text
+
+
+def test_the_page_is_said_to_be_where_it_can_be_opened():
+    assert opened_at(5006, "0.0.0.0", [], False) == "localhost:5006"
+    assert opened_at(5006, "::1", [], False) == "[::1]:5006"
+    assert opened_at(5006, "0.0.0.0", ["192.168.1.20:5006"], False) == "192.168.1.20:5006"  # localhost is refused then
+    assert opened_at(5006, "127.0.0.1", ["impact.example.org"], True) == "localhost:5006"
