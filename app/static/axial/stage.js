@@ -203,7 +203,7 @@ export class Stage {
       this.striker?.draw(c, { ...drawn, way: [1, 0], sized: frame.target.shape !== 'ball' });
       if (this.leads && rods.length === 1 && size > SIGNED) masses(c, [drawn.x, middle], [right, middle + thick / 2]);
     }
-    if (rods.length === 1 && rods[0].mirror && !(field instanceof RigidField))
+    if (t > 0 && rods.length === 1 && rods[0].mirror && !(field instanceof RigidField))
       this.front(c, t, left, right - left, middle - thick / 2, size > thick ? own : -Infinity);
     this.#measure(c, width, height);
   }

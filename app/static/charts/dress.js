@@ -7,6 +7,8 @@ const SIZE = 12 / 14; // of the letters around
 const NARROWEST = 335; // pixels of a plot whose legend has smaller letters
 const SMALLER = 0.87;
 export const NARROW = 480; // pixels of a plot whose legend has two columns, and whose title stands above it
+const LEAST = 230; // pixels of the height of a plot
+const LINE = 20; // pixels of a line of text above it, that may be still to come
 const ENTRY = 180; // pixels of an entry of a legend, else
 
 /**
@@ -30,6 +32,9 @@ export function dress(plot, place) {
   });
   for (const tool of plot.toolbar.tools) tool.description = TOOLS[tool.type] ?? tool.description;
   const narrow = place.clientWidth < NARROW;
+  const pane = narrow ? null : place.closest('.lesson-charts .analysis'); // as high as the picture above it leaves it
+  const room = pane ? pane.getBoundingClientRect().bottom - place.getBoundingClientRect().top - LINE : Infinity;
+  plot.height = Math.min(plot.height, Math.max(room, LEAST));
   plot.title.visible = !narrow; // its tools would touch it: it stands above the plot
   plot.setv({ background_fill_color: panel, border_fill_color: panel, outline_line_color: line });
   plot.title.setv({ text_font: style.fontFamily, text_font_size: style.fontSize, text_color: ink });

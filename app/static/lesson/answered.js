@@ -41,7 +41,30 @@ export function againButton(onclick) {
 export const triesOf = (count) => make('p', { className: 'lesson-hint', textContent: text('lesson.tries', { count }) });
 
 /**
+ * For the summary, below what was said first: how often it was tried, and whether that came to be right.
+ * @param {number} count
+ * @param {boolean} later  a later answer is right, the first one is not
+ */
+export function afterwards(count, later) {
+  if (count < 2) return [];
+  if (!later) return [triesOf(count)];
+  return [make('p', { className: 'lesson-later' }, signOf(true), ' ', text('lesson.later', { count }))];
+}
+
+const HANDS = ['keydown', 'pointerdown', 'popstate', 'wheel']; // what takes the page elsewhere
+
+/**
  * What the page has said is seen, also where it stands below.
  * @param {Element} root
+ * @param {Element} [above]  charts that come with the answer, and are still to grow
  */
-export const brought = (root) => root.querySelector('.lesson-said')?.scrollIntoView({ block: 'nearest' });
+export function brought(root, above) {
+  const bring = () => root.querySelector('.lesson-said')?.scrollIntoView({ block: 'nearest' });
+  bring();
+  if (!above) return;
+  const [grows, hand] = [new ResizeObserver(bring), new AbortController()];
+  const { signal } = hand;
+  grows.observe(above);
+  signal.onabort = () => grows.disconnect();
+  for (const type of HANDS) window.addEventListener(type, () => hand.abort(), { capture: true, signal });
+}

@@ -74,7 +74,6 @@ export class Goal {
     const which = met ? rangeOf(part.found, place) : -1;
     const fresh = which >= 0 && !answer.found.some((/** @type {Part} */ each) => each.which === which);
     if (fresh) answer.found.push({ which, place });
-    else if (which >= 0) answer.found.find((/** @type {Part} */ each) => each.which === which).place = place;
     const first = fresh && !answer.done;
     answer.done ||= which >= 0;
     this.#say(frame, met, which);
@@ -95,7 +94,7 @@ export class Goal {
     const rest = whole ? (part.found.length > 1 ? part.all : null) : answer.found.length ? part.more : null;
     const say = met ? part.found[which].say : part.not_yet;
     const words = wordsOf(say, gaps);
-    for (const each of answer.found) if (each.which === which) each.gaps = gaps;
+    for (const each of answer.found) if (each.which === which) each.gaps ??= gaps; // of its place
     const more = rest ? [saidOf(whole, rest)] : [];
     for (const each of more) each.classList.add('lesson-more');
     this.says.replaceChildren(saidOf(met, say, gaps), ...more);

@@ -6,6 +6,7 @@ import { engineering, figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { refusalIn } from '../wire/model.js';
+import { brought } from './answered.js';
 import { Bar } from './bar.js';
 import { Below } from './below.js';
 import { Coming } from './coming.js';
@@ -371,6 +372,7 @@ export class Lesson {
     if (!shows) return;
     const said = this.asked.querySelector('.lesson-said, .lesson-judged');
     if (said instanceof HTMLElement) said.focus({ preventScroll: true });
+    brought(this.asked, this.below.root);
     const { at, play } = this.#after;
     if (play) this.play(play);
     else if ((at ?? null) !== null) this.stand(this.#clock(at));

@@ -2,7 +2,7 @@
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
-import { againButton, brought, mainButton, saidOf, triesOf } from './answered.js';
+import { afterwards, againButton, brought, mainButton, saidOf, triesOf } from './answered.js';
 import { wordsOf } from './nodes.js';
 
 /** @import { Piece } from './nodes.js' */
@@ -166,8 +166,8 @@ export class NumberQuestion {
       lesson.speak(wordsOf(part.mistakes[mistake]?.say ?? part.no));
       input.focus();
       input.select();
+      brought(this.root);
     }
-    brought(this.root);
   }
   said() {
     const { answer, part } = this;
@@ -175,8 +175,8 @@ export class NumberQuestion {
     const first = answer.first ?? answer;
     const found = read(first.written, part.units);
     const words = make('p', { textContent: found ? quantityWords(found.value, first.unit) : '–' });
-    const mine = make('div', {}, words, this.#judged(first.said, first.done));
-    if (answer.tries > 1) mine.append(triesOf(answer.tries));
+    const tries = afterwards(answer.tries, answer.done && !first.done);
+    const mine = make('div', {}, words, this.#judged(first.said, first.done), ...tries);
     return first.done ? [mine] : [mine, make('p', { textContent: quantityWords(part.answer, part.unit, 4) })];
   }
 }

@@ -1,7 +1,7 @@
 // Sentences are put in their order: by buttons that say the new place, or by dragging a line at its handle.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
-import { againButton, brought, mainButton, saidOf, triesOf } from './answered.js';
+import { afterwards, againButton, brought, mainButton, saidOf, triesOf } from './answered.js';
 import { timeOf } from './events.js';
 import { elementsOf, wordsOf } from './nodes.js';
 
@@ -165,16 +165,18 @@ export class Order {
     else {
       lesson.keep();
       lesson.speak(words);
+      brought(this.root);
     }
-    brought(this.root);
   }
   said() {
     const { answer, part } = this;
     const all = part.items.length;
     const first = answer.first?.right ?? all;
     const words = make('p', { textContent: text('lesson.placed', { right: first, all }) });
-    const mine = make('div', {}, words, saidOf(first === all, first === all ? part.yes : part.no, this.#gaps(first)));
-    if (answer.tries > 1) mine.append(triesOf(answer.tries));
-    return [mine];
+    const right = first === all;
+    const tries = afterwards(answer.tries, answer.done && !right);
+    const mine = make('div', {}, words, saidOf(right, right ? part.yes : part.no, this.#gaps(first)), ...tries);
+    const lines = part.items.map((/** @type {Part} */ { text: line }) => make('li', {}, ...elementsOf(line)));
+    return right ? [mine] : [mine, make('ol', {}, ...lines)];
   }
 }

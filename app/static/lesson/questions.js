@@ -1,7 +1,7 @@
 // The questions of a lesson by their kind, and the simplest of them: a choice of one sentence.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
-import { againButton, mainButton, saidOf, triesOf } from './answered.js';
+import { afterwards, againButton, mainButton, saidOf, triesOf } from './answered.js';
 import { elementsOf, wordsOf } from './nodes.js';
 import { NumberQuestion } from './number.js';
 import { Order } from './order.js';
@@ -30,7 +30,7 @@ import { Sketch } from './sketch.js';
 /** @implements {Question} */
 class Choice {
   predicts = true;
-  /** @type {{ picked: number, done: boolean } | null} */ trial = null; // once it is answered
+  /** @type {{ picked: number, done: boolean } | null} */ trial; // once it is answered
 
   /**
    * @param {Lesson} lesson
@@ -39,7 +39,9 @@ class Choice {
   constructor(lesson, part) {
     this.lesson = lesson;
     this.part = part;
-    this.answer = lesson.answerOf(part.name, { picked: -1, done: false, more: 0 });
+    this.answer = lesson.answerOf(part.name, { picked: -1, done: false, more: 0 }); // `picked` at first
+    const { last } = this.answer;
+    this.trial = last === undefined ? null : { picked: last, done: true };
     this.root = make('div', { className: 'lesson-choice' });
     this.#render();
   }
@@ -87,18 +89,21 @@ class Choice {
     const now = this.trial ?? answer;
     if (now.picked < 0) return;
     now.done = true;
-    if (this.trial) answer.more = (answer.more ?? 0) + 1;
+    const { right, say } = this.part.options[now.picked];
+    if (this.trial) Object.assign(answer, { more: (answer.more ?? 0) + 1, last: now.picked });
+    if (this.trial && right) answer.later = true;
     this.#render();
-    this.lesson.answered(wordsOf(this.part.options[now.picked].say));
+    this.lesson.answered(wordsOf(say));
   }
   said() {
     const { answer, part } = this;
     const right = part.options.filter((/** @type {Part} */ option) => option.right);
     const join = (/** @type {Part[]} */ options) =>
       make('p', {}, ...options.flatMap((option, k) => [...(k ? ['; '] : []), ...elementsOf(option.text)]));
-    const mine = make('div', {}, join([part.options[answer.picked]]), this.#judged(answer.picked));
-    if (answer.more) mine.append(triesOf(1 + answer.more));
-    return part.options[answer.picked].right && right.length === 1 ? [mine] : [mine, join(right)];
+    const first = part.options[answer.picked];
+    const tries = afterwards(1 + (answer.more ?? 0), !first.right && answer.later);
+    const mine = make('div', {}, join([first]), this.#judged(answer.picked), ...tries);
+    return first.right && right.length === 1 ? [mine] : [mine, join(right)];
   }
 }
 

@@ -78,8 +78,3 @@ def test_the_wall_feels_twice_what_the_front_brings():
     moving = 2.0 * rod.impedance * solution.scene.speed  # to stop what arrives, beside what it brings
     stress = solution.known_motion.stress([0.501 * unit], [rod.length])  # at the wall
     assert abs(np.ravel(stress)[0]) * rod.area == pytest.approx(moving, rel=5e-3)
-
-
-def test_the_picture_that_asks_shows_no_front():
-    """Which is drawn from the touch on, at the struck end, and that is the answer."""
-    assert STEPS[0].parts[0].play[1] < 0.0

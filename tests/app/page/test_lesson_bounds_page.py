@@ -138,3 +138,18 @@ def test_the_line_of_a_chart_below_the_picture_follows_the_clock(open_page):
     page.wait(f"() => Math.abs(({LINE})() - 1) < 1e-9")
     page.evaluate("() => strikewave.page.player.go(1e-3)")
     assert page.evaluate(LINE) == pytest.approx(1)
+
+
+LEGEND = """() => {
+  const { analyses: { energy: { figure, root } } } = strikewave.page;
+  const [{ area }] = figure.parts;
+  return area.firstElementChild && area.getBoundingClientRect().bottom - root.getBoundingClientRect().bottom;
+}"""
+
+
+def test_a_plot_below_the_picture_is_seen_with_its_legend_on_a_low_screen(open_page):
+    page = open_page("?lesson=the-energy-left-ringing&step=3", size=(1280, 720))
+    ready(page)
+    page.wait(f"() => ({LEGEND})() !== null")
+    page.frames_pass(2)
+    assert page.evaluate(LEGEND) <= 0
