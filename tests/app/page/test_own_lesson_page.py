@@ -156,7 +156,8 @@ def test_a_question_is_tried_again_and_the_first_answer_stays(open_page):
     button(page, "Show what happens").click()
     expect(page.tab.locator(".lesson-choice")).to_contain_text("2 tries")
     expect(page.tab.locator(".lesson-said")).to_contain_text("Yes:")
-    assert page.evaluate(ANSWER)["next"] == {"picked": 0, "done": True, "more": 1}
+    kept = {"picked": 0, "last": 1, "done": True, "later": True, "more": 1}
+    assert page.evaluate(ANSWER)["next"] == kept
     page.tab.goto(f"http://{page.address}/{LESSON}&step=4")
     page.laid_out()
     ready(page)
