@@ -25,7 +25,7 @@ coverage: $(VENV)/.installed-test
 
 test: $(VENV)/.installed-test chromium haproxy node_modules/.installed
 	$(BIN)/impact warm  # else each of the servers that tests start would compile the same
-	$(PYTEST) -n $$(($$(nproc) + 2))  # tests of the page wait half of their time
+	$(PYTEST) -n $$(($$(nproc) + 1))  # tests of the page wait half of their time
 
 # Other processors, as far as libraries choose by them, other versions and other Pythons; each by the quick tests.
 machines: $(VENV)/.installed-test
