@@ -226,6 +226,7 @@ export class Opening {
    */
   stay(act) {
     clearTimeout(this.walking);
+    this.walking = 0;
     act();
   }
   /**
@@ -326,7 +327,7 @@ export class Opening {
     }
     const walk = (/** @type {number} */ step) => {
       page.choose(name, Number((from * (to / from) ** (step / WALK)).toPrecision(step < WALK ? 3 : 12)));
-      if (step < WALK) this.walking = window.setTimeout(() => walk(step + 1), STEP);
+      this.walking = step < WALK ? window.setTimeout(() => walk(step + 1), STEP) : 0;
     };
     this.stay(() => walk(1));
   }

@@ -191,6 +191,7 @@ def test_the_modes_of_a_rod_and_of_a_beam(open_page):
     scroll = panel.locator(".scroll")
     expect(scroll).not_to_have_attribute("tabindex", "0")
     page.tab.set_viewport_size({"width": 390, "height": 844})
+    page.laid_out()
     page.turn_to("Analysis")
     expect(scroll).to_have_attribute("tabindex", "0")  # it is wider than its room, and keys scroll it
     expect(scroll).to_have_accessible_name("The modes, and which of them rings")

@@ -149,6 +149,12 @@ def test_a_scene_without_rows_gives_its_room_to_the_picture_and_takes_it_back(op
         assert page.evaluate("() => strikewave.page.root.classList.contains('bare')") == bare, scene
 
 
+WALKED = """(said) => {
+  const { asked, opening } = strikewave.page;
+  return !asked && !opening.walking && opening.change.textContent !== said;
+}"""
+
+
 def test_what_is_offered_is_done_and_the_next_is_offered(open_page):
     page = open_page("?scene=fixed-rod&layout=opening")
     opened(page)
@@ -159,7 +165,7 @@ def test_what_is_offered_is_done_and_the_next_is_offered(open_page):
             break
         said = change.inner_text()
         change.click()
-        page.wait("(said) => !strikewave.page.asked && strikewave.page.opening.change.textContent !== said", said)
+        page.wait(WALKED, said)
     page.answered(change.click)
     assert page.header("chosen")["scene"] == "free-rod" and len(offers[0]) > 2
 
