@@ -39,13 +39,13 @@ ANSWERS = {  # query; goal, half of what the first of these measurements gave [m
 ANSWER_MOVES, ANSWER_BATCHES = 40, 7
 
 LATENCY = """async () => {
-  const { controls: { send }, own } = strikewave.page, found = [];
+  const { controls, own } = strikewave.page, found = [];
   const answers = () => strikewave.frames + own.count;
   const painted = () => new Promise((done) => requestAnimationFrame(() => {
     const channel = new MessageChannel(); channel.port1.onmessage = done; channel.port2.postMessage(0); }));
   for (let k = 0; k < 80; k++) {
     const before = answers(), begun = performance.now();
-    send('mass_ratio', 0.6 + k / 100);
+    controls.send('mass_ratio', 0.6 + k / 100);
     while (answers() === before) await new Promise((done) => setTimeout(done, 0));
     await painted();
     found.push(performance.now() - begun);
@@ -55,9 +55,9 @@ LATENCY = """async () => {
 }"""
 DRAG_SECONDS = 2
 DRAG = """async (seconds) => {
-  const { controls: { send }, own } = strikewave.page, begun = performance.now(), before = own.count;
+  const { controls, own } = strikewave.page, begun = performance.now(), before = own.count;
   for (let k = 0; performance.now() - begun < 1000 * seconds; k++) {
-    send('mass_ratio', 0.6 + 0.001 * k);
+    controls.send('mass_ratio', 0.6 + 0.001 * k);
     await new Promise((done) => requestAnimationFrame(done));
   }
   return (own.count - before) / seconds;
