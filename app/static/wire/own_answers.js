@@ -23,6 +23,7 @@ export class OwnAnswers {
   /** @type {WeakSet<Frame>} */ made = new WeakSet();
   /** @type {Frame | null} */ whole = null; // the last answer of the server that is no draft
   beyond = ''; // choices that cannot be answered here after all
+  refused = false; // whether the last answer was none, so that those of the server are shown while a slider moves
   slow = 0; // answers in a row that took long
   resumes = 0; // when it answers again
 
@@ -83,7 +84,7 @@ export class OwnAnswers {
     this.beyond = ''; // the server has gone past it
     const { chosen, kind } = this.page.frame ?? {};
     if (frame.kind !== kind || frame.chosen.scene !== chosen?.scene) return false; // all is laid out anew for another
-    if (!this.#changed(frame).length || !this.#base) return false;
+    if (this.refused || !this.#changed(frame).length || !this.#base) return false;
     this.due ||= requestAnimationFrame(() => this.#draw());
     return true;
   }
@@ -120,6 +121,7 @@ export class OwnAnswers {
     const base = this.#base;
     if (!base || !this.#changed(page.frame).length) return; // the server has answered, or is to
     const frame = this.#found(base);
+    this.refused = !frame;
     if (!frame) {
       this.beyond = JSON.stringify(this.#chosen);
       changes.flush();

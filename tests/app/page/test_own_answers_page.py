@@ -319,3 +319,21 @@ def test_histories_are_saved_once_the_server_has_solved_them(open_page):
     by_itself(page, "mass_ratio", [0.5])
     page.take("Histories (CSV)")
     assert page.tab.get_by_text("The server has not solved this yet").is_visible()
+
+
+def test_where_none_is_found_those_of_the_server_are_shown_while_a_slider_moves(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    page.wait(READY)
+    shown = page.evaluate(
+        """async () => {
+          const { page } = strikewave, { own } = page, shown = new Set();
+          own.answers.answer = () => null;
+          for (let k = 0; k < 400 && shown.size < 4; k++) {
+            page.controls.send('speed', 1 + 0.002 * k);
+            await new Promise((done) => requestAnimationFrame(done));
+            shown.add(page.frame.chosen.speed);
+          }
+          return shown.size;
+        }"""
+    )
+    assert shown == 4
