@@ -8,13 +8,18 @@ from .test_lesson_page import LESSON, answered_choice, button, in_order, onwards
 ANSWERS = "() => strikewave.page.opening.teaching.lesson.progress.answers"
 
 
-def test_a_choice_that_was_tried_again_keeps_its_last_answer(open_page):
-    page = open_page(LESSON)
+def chosen_twice(page) -> None:
+    """Wrongly, then rightly."""
     ready(page)
     page.tab.get_by_label("No more contact").check()
     button(page, "Show what happens").click()
     button(page, "Try again").click()
     answered_choice(page)
+
+
+def test_a_choice_that_was_tried_again_keeps_its_last_answer(open_page):
+    page = open_page(LESSON)
+    chosen_twice(page)
     for leave in (page.tab.reload, lambda: (onwards(page), button(page, "Back").click())):
         leave()
         ready(page)
@@ -26,11 +31,7 @@ def test_a_choice_that_was_tried_again_keeps_its_last_answer(open_page):
 
 def test_the_summary_says_which_answers_were_right_later_and_what_is_so(open_page):
     page = open_page(LESSON)
-    ready(page)
-    page.tab.get_by_label("No more contact").check()
-    button(page, "Show what happens").click()
-    button(page, "Try again").click()
-    answered_choice(page)
+    chosen_twice(page)
     page.evaluate("() => strikewave.page.opening.teaching.lesson.enter(2)")
     ready(page)
     for ratio in (2, 1.5):
