@@ -275,7 +275,7 @@ export class Page {
     this.closer.later();
     if (!this.opening.placed) this.place();
     this.analyses.draw();
-    this.opening.draw();
+    this.opening.draw(true);
     this.player.load(this.view.clock(this.frame));
     if (this.compare.due) this.compare.keep();
     if (!this.resumed) this.resume();

@@ -212,16 +212,16 @@ export class WaveField extends Field {
    */
   profile(t, what, out) {
     if (what === 'stress')
-      return this.#along(out, ({ area, f, g, transit }, s) => (f.at(t - s) + g.at(t - transit + s)) / area);
+      return this.#along(out, ({ area, f, g, transit }) => {
+        return (late) => (f.at(t - late) + g.at(t - transit + late)) / area;
+      });
     if (what === 'velocity')
-      return this.#along(
-        out,
-        ({ drift, f, g, impedance, transit }, s) => drift + (f.at(t - s) - g.at(t - transit + s)) / impedance,
-      );
-    return this.#along(
-      out,
-      ({ drift, f, g, impedance, transit }, s) => drift * t + (f.total(t - s) - g.total(t - transit + s)) / impedance,
-    );
+      return this.#along(out, ({ drift, f, g, impedance, transit }) => {
+        return (late) => drift + (f.at(t - late) - g.at(t - transit + late)) / impedance;
+      });
+    return this.#along(out, ({ drift, f, g, impedance, transit }) => {
+      return (late) => drift * t + (f.total(t - late) - g.total(t - transit + late)) / impedance;
+    });
   }
   /**
    * @param {number} t
@@ -231,25 +231,29 @@ export class WaveField extends Field {
    */
   mean(t, span, what, out) {
     if (this.rods.some(({ f, g }) => narrow(f) || narrow(g))) return this.profile(t, what, out); // or it fades
-    const [a, b] = [t - span / 2, t + span / 2];
-    const of = (/** @type {Wave | Mirrored} */ wave, /** @type {number} */ late) =>
-      (wave.total(b - late) - wave.total(a - late)) / span;
-    return this.#along(out, ({ area, drift, f, g, impedance, transit }, s) =>
-      what === 'stress' ? (of(f, s) + of(g, transit - s)) / area : drift + (of(f, s) - of(g, transit - s)) / impedance,
-    );
+    if (what === 'stress')
+      return this.#along(out, ({ area, f, g, transit }) => {
+        return (late) => (f.mean(t - late, span) + g.mean(t - transit + late, span)) / area;
+      });
+    return this.#along(out, ({ drift, f, g, impedance, transit }) => {
+      return (late) => drift + (f.mean(t - late, span) - g.mean(t - transit + late, span)) / impedance;
+    });
   }
   /**
    * @param {Float64Array} out  places spread evenly
-   * @param {(rod: Rod, late: number) => number} value  where the wave of the left end comes so late
+   * @param {(rod: Rod) => (late: number) => number} valueOf  where the wave of the left end comes so late
    */
-  #along(out, value) {
+  #along(out, valueOf) {
     const n = out.length - 1;
     const { rods, from, to } = this;
-    for (let i = 0, r = 0; i <= n; i++) {
-      const x = from + ((to - from) * i) / n;
-      while (r < rods.length - 1 && x > rods[r].to) r++;
+    for (let i = 0, r = 0; r < rods.length; r++) {
       const { transit, from: left, to: right } = rods[r];
-      out[i] = value(rods[r], ((x - left) / (right - left)) * transit);
+      const value = valueOf(rods[r]);
+      for (; i <= n; i++) {
+        const x = from + ((to - from) * i) / n;
+        if (x > right && r < rods.length - 1) break;
+        out[i] = value(((x - left) / (right - left)) * transit);
+      }
     }
     return out;
   }

@@ -11,6 +11,8 @@ export class Wave {
   strongest = 0;
   /** @type {Float64Array | null} */ bold = null;
   boldPerTrip = 0;
+  span = 0; // over which the means are
+  means = new Float64Array(0);
 
   /**
    * @param {Numbers} time
@@ -99,6 +101,26 @@ export class Wave {
     const i = Math.floor(place);
     return this.sum[i] + (place - i) * (this.sum[i + 1] - this.sum[i]);
   }
+  /**
+   * Averaged over a span about an instant, as near as cells are: a picture asks for it some ten thousand times.
+   * @param {number} t
+   * @param {number} span
+   */
+  mean(t, span) {
+    if (this.span !== span) this.#average(span);
+    const cell = Math.floor((t + span / 2) * this.perTrip);
+    return cell < 0 ? 0 : this.means[Math.min(cell, this.means.length - 1)];
+  }
+  /** @param {number} span */
+  #average(span) {
+    this.span = span;
+    const cells = Math.floor(span * this.perTrip);
+    this.means = new Float64Array(CELLS + 1 + cells);
+    for (let k = 0; k < this.means.length; k++) {
+      const t = (k + 0.5) / this.perTrip; // the end of the span
+      this.means[k] = (this.total(t) - this.total(t - span)) / span;
+    }
+  }
 }
 
 /** The same wave a transit time later, as it was or turned over: what the far end of a uniform rod sends back. */
@@ -132,5 +154,12 @@ export class Mirrored {
   /** @param {number} t */
   total(t) {
     return this.sign * this.wave.total(t - this.transit);
+  }
+  /**
+   * @param {number} t
+   * @param {number} span
+   */
+  mean(t, span) {
+    return this.sign * this.wave.mean(t - this.transit, span);
   }
 }

@@ -9,6 +9,7 @@
 
 import { indexAt } from './scale.js';
 import { COLORS } from './styles.js';
+import { thinned } from './thinned.js';
 
 /**
  * A line through samples, or their rings or dots.
@@ -36,7 +37,6 @@ export function curve(c, plot, samples, factor, style) {
 }
 
 /**
- * Keeps the extremes of each half pixel, so that thousands of samples cost little.
  * @param {Context} c
  * @param {Plot} plot
  * @param {Samples} samples
@@ -47,45 +47,16 @@ function line(c, plot, { x, y }, factor) {
   const across = frame.w / (view[1] - view[0]);
   const up = (frame.h / (plot.y[1] - plot.y[0])) * factor;
   const base = frame.y + (plot.y[1] * frame.h) / (plot.y[1] - plot.y[0]);
-  let column = NaN;
-  let low = 0;
-  let high = 0;
-  let last = 0;
-  let started = false;
   const first = x[0] < view[0] ? indexAt(x, view[0]) : 0;
-  for (let k = first; k < x.length; k++) {
-    const px = frame.x + (x[k] - view[0]) * across;
-    const py = base - y[k] * up;
-    const here = Math.round(px * 2);
-    if (here === column) {
-      if (py < low) low = py;
-      else if (py > high) high = py;
-    } else {
-      if (low !== high) strut(c, column / 2, low, high, last);
-      if (started) c.lineTo(px, py);
-      else c.moveTo(px, py);
-      started = true;
-      column = here;
-      low = high = py;
-    }
-    last = py;
-    if (x[k] > view[1]) break;
-  }
-  if (low !== high) strut(c, column / 2, low, high, last);
-}
-
-/**
- * All that a line does within half a pixel.
- * @param {Context} c
- * @param {number} x
- * @param {number} low
- * @param {number} high
- * @param {number} last
- */
-function strut(c, x, low, high, last) {
-  c.lineTo(x, low);
-  c.lineTo(x, high);
-  c.lineTo(x, last);
+  let end = first;
+  while (end < x.length && x[end] <= view[1]) end++;
+  thinned(
+    first,
+    Math.min(end + 1, x.length),
+    (k) => frame.x + (x[k] - view[0]) * across,
+    (k) => base - y[k] * up,
+    (px, py) => c.lineTo(px, py),
+  );
 }
 
 /**

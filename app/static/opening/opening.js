@@ -68,6 +68,7 @@ export class Opening {
   narrow = false; // the window has no room for the laboratory: the dock stands for it
   /** @type {boolean | null} */ led = null; // whether its picture was seen last
   due = true; // rows are to be drawn
+  answered = false; // only because of another solve
   /** @type {number | undefined} */ walking; // a slider, step by step
 
   /** @param {Page} page */
@@ -298,15 +299,19 @@ export class Opening {
     if (carried) window.open(`${carried.laboratory}?${queryOf(this.page, true)}`, '_blank', 'noopener');
     else this.turn('laboratory');
   }
-  /** Another solve, or another size: the rows lie below the bodies, which are drawn first. */
-  draw() {
+  /**
+   * Another solve, or another size: the rows lie below the bodies, which are drawn first.
+   * @param {boolean} [answered]  by a solve: its events are written soon, and the names of those before stay until then
+   */
+  draw(answered = false) {
+    this.answered = this.due ? this.answered && answered : answered;
     this.due = true;
   }
   /** @param {number} t */
   show(t) {
     if (!this.leads) return;
     if (this.due) this.section.draw(this.shown);
-    if (this.due) this.happens.place();
+    if (this.due && !this.answered) this.happens.place();
     this.due = false;
     this.section.show(t);
     this.happens.mark(t);

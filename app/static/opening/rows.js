@@ -50,6 +50,23 @@ const [PLAIN, LINED] = [pixelsOf(1), pixelsOf(LINE)];
  * @property {number} scale  pixels in a unit of displacement; none of what is bent across
  */
 
+/** @type {WeakMap<HTMLCanvasElement, ImageData>} */
+const pictures = new WeakMap();
+
+/**
+ * Pixels of a canvas, the same as before where they are as many: a megabyte at each picture has memory tidied up often.
+ * @param {HTMLCanvasElement} canvas
+ * @param {CanvasRenderingContext2D} context
+ */
+function pictureOf(canvas, context) {
+  const { height, width } = canvas;
+  const last = pictures.get(canvas);
+  if (last?.width === width && last.height === height) return last;
+  const picture = context.createImageData(width, height);
+  pictures.set(canvas, picture);
+  return picture;
+}
+
 /**
  * Weave the rows of a stretch of time, from top to bottom; what no body covers is clear.
  * @param {HTMLCanvasElement} canvas  made as large as needed
@@ -65,8 +82,8 @@ export function weave(canvas, { drawn, duration, field, largest, scale, what }, 
   const places = field.places ?? most.places;
   if (canvas.width !== width || canvas.height !== rows) Object.assign(canvas, { width, height: rows });
   const context = contextOf(canvas);
-  const picture = context.createImageData(width, rows);
-  const pixels = new Uint32Array(picture.data.buffer);
+  const picture = pictureOf(canvas, context);
+  const pixels = new Uint32Array(picture.data.buffer).fill(0);
   const [values, moved] = [new Float64Array(places), new Float64Array(places)];
   const ends = new Float64Array(rows);
   const at = placesOf(drawn, places);

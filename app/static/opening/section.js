@@ -2,6 +2,7 @@
 import { cleared, letters, scale as zoom } from '../charts/canvas.js';
 import { between, ticks } from '../charts/scale.js';
 import { COLORS, css, dark, STYLES } from '../charts/styles.js';
+import { thinned } from '../charts/thinned.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
@@ -274,11 +275,10 @@ export class Section {
     c.lineWidth = width;
     c.setLineDash(dash);
     c.beginPath();
-    for (let k = 0; k < x.length; k++) {
-      const [across, down] = [this.#x(y[k] * factor), this.y(x[k])];
-      if (mark) c.rect(across - 1.5, down - 1.5, 3, 3);
-      else c.lineTo(across, down);
-    }
+    const across = (/** @type {number} */ k) => this.#x(y[k] * factor);
+    const down = (/** @type {number} */ k) => this.y(x[k]);
+    if (mark) for (let k = 0; k < x.length; k++) c.rect(across(k) - 1.5, down(k) - 1.5, 3, 3);
+    else thinned(0, x.length, down, across, (at, off) => c.lineTo(off, at));
     if (mark) c.fill();
     else c.stroke();
     c.setLineDash([]);

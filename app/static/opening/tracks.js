@@ -2,6 +2,7 @@
 import { letters, scale as zoom } from '../charts/canvas.js';
 import { between } from '../charts/scale.js';
 import { COLORS, css, STYLES } from '../charts/styles.js';
+import { thinned } from '../charts/thinned.js';
 import { localised, scaled } from '../text/format.js';
 import { weave } from './rows.js';
 
@@ -172,18 +173,22 @@ function curve(c, track, place, { factor = 1, style, x, y }, { stretch, y: at })
   c.lineWidth = width;
   c.setLineDash(dash);
   c.beginPath();
-  let [first, last] = [NaN, NaN];
-  for (let k = 0; k < x.length; k++) {
-    if ((x[k + 1] ?? x[k]) < stretch[0] || (x[k - 1] ?? x[k]) > stretch[1]) continue;
-    last = at(x[k]);
-    if (Number.isNaN(first)) first = last;
-    c.lineTo(across(track, place, y[k] * factor), last);
-  }
+  let [from, to] = [0, x.length];
+  while (from < to && (x[from + 1] ?? x[from]) < stretch[0]) from++;
+  while (to > from && (x[to - 2] ?? x[to - 1]) > stretch[1]) to--;
+  const off = (/** @type {number} */ k) => across(track, place, y[k] * factor);
+  thinned(
+    from,
+    to,
+    (k) => at(x[k]),
+    off,
+    (down, right) => c.lineTo(right, down),
+  );
   c.stroke();
   c.setLineDash([]);
   if (!filled) return;
-  c.lineTo(zero, last);
-  c.lineTo(zero, first);
+  c.lineTo(zero, at(x[to - 1]));
+  c.lineTo(zero, at(x[from]));
   c.globalAlpha = FILL;
   c.fill();
   c.globalAlpha = 1;

@@ -3,13 +3,16 @@ import { contextOf, letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { make } from '../browser/dom.js';
 
-/** @typedef {{ words: string, x: number, y: number, color: string, font: string, align: CanvasTextAlign }} Word */
+/** @typedef {{ words: string, x: number, y: number, color: string, font: string, align: CanvasTextAlign }} Written */
+/** @typedef {[left: number, top: number, right: number, bottom: number]} Box */
+/** @typedef {Written & { box: Box }} Word */
 
 const HALO = 4; // pixels
 
 /**
  * @param {CanvasRenderingContext2D} c
- * @param {Word} word
+ * @param {Written} word
+ * @returns {Box}
  */
 function boxOf(c, { align, font, words, x, y }) {
   c.font = font;
@@ -43,16 +46,19 @@ export class Words {
    * @param {CanvasTextAlign} [align]
    */
   say(words, x, y, color, font = letters(13), align = 'left') {
-    const word = { words, x, y, color, font, align };
+    const word = this.#measured({ words, x, y, color, font, align });
     if (this.#clear(word)) this.all.push(word);
   }
+  /**
+   * @param {Written} word
+   * @returns {Word}
+   */
+  #measured(word) {
+    return { ...word, box: boxOf(this.#ruler, word) };
+  }
   /** @param {Word} word */
-  #clear(word) {
-    const [left, top, right, bottom] = boxOf(this.#ruler, word);
-    return this.all.every((each) => {
-      const [from, high, to, low] = boxOf(this.#ruler, each);
-      return right < from || left > to || bottom < high || top > low;
-    });
+  #clear({ box: [left, top, right, bottom] }) {
+    return this.all.every(({ box: [from, high, to, low] }) => right < from || left > to || bottom < high || top > low);
   }
   /**
    * Stretches in which words lie on a height, from the left.
@@ -60,7 +66,7 @@ export class Words {
    * @returns {[from: number, to: number][]}
    */
   across(y) {
-    const boxes = this.all.map((each) => boxOf(this.#ruler, each));
+    const boxes = this.all.map(({ box }) => box);
     const on = boxes.filter(([, top, , bottom]) => top - HALO < y && y < bottom + HALO);
     return on
       .map(([left, , right]) => /** @type {[number, number]} */ ([left - HALO, right + HALO]))
@@ -75,8 +81,7 @@ export class Words {
    */
   draw(c, now, x, y) {
     for (const each of this.all) write(c, each);
-    /** @type {Word} */
-    const word = { words: now, x, y, color: COLORS.cursor, font: letters(13, '600 '), align: 'left' };
+    const word = this.#measured({ words: now, x, y, color: COLORS.cursor, font: letters(13, '600 '), align: 'left' });
     if (this.#clear(word)) write(c, word);
   }
 }

@@ -132,7 +132,7 @@ export class OwnAnswers {
     page.frame = frame;
     page.compare.lay(frame);
     page.view.load(frame);
-    page.opening.draw();
+    page.opening.draw(true);
     page.player.load(page.view.clock(frame));
     page.tell();
   }
