@@ -10,13 +10,7 @@ import { thinned } from '../../app/static/charts/thinned.js';
 function drawn(x, y) {
   /** @type {[number, number][]} */
   const found = [];
-  thinned(
-    0,
-    x.length,
-    (k) => x[k],
-    (k) => y[k],
-    (along, off) => found.push([along, off]),
-  );
+  thinned({ x, y }, [0, x.length], [0, 1], [0, 1], (along, off) => found.push([along, off]));
   return found;
 }
 

@@ -3,7 +3,7 @@ import { Chart } from '../charts/chart.js';
 import { Peak, timesOf, whenLargest } from '../charts/peak.js';
 import { paint, reader } from '../charts/picture.js';
 import { averaged, between, pair, stairs } from '../charts/scale.js';
-import { make } from '../browser/dom.js';
+import { make, write } from '../browser/dom.js';
 import { given } from '../wire/message.js';
 import { TRIPS, times } from '../clock/times.js';
 import { text } from '../text/catalogue.js';
@@ -285,7 +285,7 @@ export class Displacements {
       { x, y: frame.exactMass, factor, ...MASS, ...(attached ? ASIDE : {}), style: 'exact' },
       { x, y: frame.exactEnd, factor, ...FACE, style: 'struck' },
     ];
-    this.chart.title.textContent = text(target.row ? 'axial.cradle.motion' : 'axial.chart.motion');
+    write(this.chart.title, text(target.row ? 'axial.cradle.motion' : 'axial.chart.motion'));
     if (target.row) series.splice(0, 2, ...movementsOf(frame));
     if (frame.exactWhole) series.push({ x, y: frame.exactWhole, factor, ...WHOLE, reach: 0, style: 'whole' });
     if (other) {

@@ -5,6 +5,7 @@ import { given, arrayOf } from '../wire/message.js';
 import { Mirrored, Wave } from './wave.js';
 
 /** @import { Range, Samples } from '../charts/scale.js' */
+/** @import { Steps } from './wave.js' */
 /** @import { AxialFrame, Numbers, RodRecord } from '../messages.js' */
 
 const POINTS = 240; // along the bodies, where no fronts are known
@@ -211,16 +212,9 @@ export class WaveField extends Field {
    * @param {Float64Array} out
    */
   profile(t, what, out) {
-    if (what === 'stress')
-      return this.#along(out, ({ area, f, g, transit }) => {
-        return (late) => (f.at(t - late) + g.at(t - transit + late)) / area;
-      });
-    if (what === 'velocity')
-      return this.#along(out, ({ drift, f, g, impedance, transit }) => {
-        return (late) => drift + (f.at(t - late) - g.at(t - transit + late)) / impedance;
-      });
-    return this.#along(out, ({ drift, f, g, impedance, transit }) => {
-      return (late) => drift * t + (f.total(t - late) - g.total(t - transit + late)) / impedance;
+    return this.#sum(out, t, what, (wave, steps, factor) => {
+      if (what === 'displacement') wave.addTotals(out, steps, factor);
+      else wave.addValues(out, steps, factor);
     });
   }
   /**
@@ -231,29 +225,30 @@ export class WaveField extends Field {
    */
   mean(t, span, what, out) {
     if (this.rods.some(({ f, g }) => narrow(f) || narrow(g))) return this.profile(t, what, out); // or it fades
-    if (what === 'stress')
-      return this.#along(out, ({ area, f, g, transit }) => {
-        return (late) => (f.mean(t - late, span) + g.mean(t - transit + late, span)) / area;
-      });
-    return this.#along(out, ({ drift, f, g, impedance, transit }) => {
-      return (late) => drift + (f.mean(t - late, span) - g.mean(t - transit + late, span)) / impedance;
-    });
+    return this.#sum(out, t, what, (wave, steps, factor) => wave.addMeans(out, steps, factor, span));
   }
   /**
+   * Add the two waves of each rod up, at the places within it: they go on evenly, so that the instants do at which a
+   * wave was sent that is there now.
    * @param {Float64Array} out  places spread evenly
-   * @param {(rod: Rod) => (late: number) => number} valueOf  where the wave of the left end comes so late
+   * @param {number} t
+   * @param {What} what
+   * @param {(wave: Wave | Mirrored, steps: Steps, factor: number) => void} add
    */
-  #along(out, valueOf) {
-    const n = out.length - 1;
-    const { rods, from, to } = this;
-    for (let i = 0, r = 0; r < rods.length; r++) {
-      const { transit, from: left, to: right } = rods[r];
-      const value = valueOf(rods[r]);
-      for (; i <= n; i++) {
-        const x = from + ((to - from) * i) / n;
-        if (x > right && r < rods.length - 1) break;
-        out[i] = value(((x - left) / (right - left)) * transit);
-      }
+  #sum(out, t, what, add) {
+    const apart = (this.to - this.from) / (out.length - 1);
+    let first = 0;
+    for (const [r, { area, drift, f, from, g, impedance, to, transit }] of this.rods.entries()) {
+      const within = r === this.rods.length - 1 ? out.length : Math.floor((to - this.from) / apart) + 1;
+      const last = Math.max(Math.min(within, out.length), first);
+      const pace = transit / (to - from);
+      const late = (this.from + first * apart - from) * pace;
+      const step = apart * pace;
+      out.fill(what === 'stress' ? 0 : what === 'velocity' ? drift : drift * t, first, last);
+      const factor = 1 / (what === 'stress' ? area : impedance);
+      add(f, { first, last, start: t - late, step: -step }, factor);
+      add(g, { first, last, start: t - transit + late, step }, what === 'stress' ? factor : -factor);
+      first = last;
     }
     return out;
   }

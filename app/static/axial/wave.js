@@ -6,6 +6,11 @@ import { between, indexAt } from '../charts/scale.js';
 
 const CELLS = 8192; // of the time that is shown
 
+/**
+ * Instants spread evenly, one for each place from `first` to before `last`.
+ * @typedef {{ first: number, last: number, start: number, step: number }} Steps
+ */
+
 /** One wave that a rod end sends, on even cells: value, and integral from the beginning. */
 export class Wave {
   strongest = 0;
@@ -63,18 +68,6 @@ export class Wave {
     this.bold = bold;
     this.boldPerTrip = count / this.duration;
   }
-  /** @param {number} t */
-  at(t) {
-    if (this.bold) return t < 0 ? 0 : this.bold[Math.min(Math.floor(t * this.boldPerTrip), this.bold.length - 1)];
-    return this.exactly(t);
-  }
-  /**
-   * As narrow as it is.
-   * @param {number} t
-   */
-  exactly(t) {
-    return t < 0 ? 0 : this.value[Math.min(Math.floor(t * this.perTrip), CELLS)];
-  }
   /**
    * As the message has it, with every jump where it is.
    * @param {number} t
@@ -102,14 +95,55 @@ export class Wave {
     return this.sum[i] + (place - i) * (this.sum[i + 1] - this.sum[i]);
   }
   /**
-   * Averaged over a span about an instant, as near as cells are: a picture asks for it some ten thousand times.
-   * @param {number} t
+   * Add values at instants spread evenly to what is there, from `first` to before `last`.
+   * @param {Float64Array} out
+   * @param {Steps} steps
+   * @param {number} factor
+   */
+  addValues(out, { first, last, start, step }, factor) {
+    const [values, rate] = this.bold ? [this.bold, this.boldPerTrip] : [this.value, this.perTrip];
+    this.#add(out, first, last, values, start * rate, step * rate, factor);
+  }
+  /**
+   * The same of means over a span about each instant, as near as cells are.
+   * @param {Float64Array} out
+   * @param {Steps} steps
+   * @param {number} factor
    * @param {number} span
    */
-  mean(t, span) {
+  addMeans(out, { first, last, start, step }, factor, span) {
     if (this.span !== span) this.#average(span);
-    const cell = Math.floor((t + span / 2) * this.perTrip);
-    return cell < 0 ? 0 : this.means[Math.min(cell, this.means.length - 1)];
+    this.#add(out, first, last, this.means, (start + span / 2) * this.perTrip, step * this.perTrip, factor);
+  }
+  /**
+   * The same of integrals from the beginning.
+   * @param {Float64Array} out
+   * @param {Steps} steps
+   * @param {number} factor
+   */
+  addTotals(out, { first, last, start, step }, factor) {
+    const { perTrip, sum } = this;
+    for (let k = first; k < last; k++) {
+      const place = Math.min((start + step * (k - first)) * perTrip, CELLS - 1e-9);
+      if (place <= 0) continue;
+      const i = Math.floor(place);
+      out[k] += factor * (sum[i] + (place - i) * (sum[i + 1] - sum[i]));
+    }
+  }
+  /**
+   * @param {Float64Array} out
+   * @param {number} first
+   * @param {number} last
+   * @param {Float64Array} values  of cells
+   * @param {number} start  in cells
+   * @param {number} step
+   * @param {number} factor
+   */
+  #add(out, first, last, values, start, step, factor) {
+    for (let k = first; k < last; k++) {
+      const cell = Math.floor(start + step * (k - first));
+      if (cell >= 0) out[k] += factor * values[Math.min(cell, values.length - 1)];
+    }
   }
   /** @param {number} span */
   #average(span) {
@@ -136,14 +170,6 @@ export class Mirrored {
     this.transit = transit;
   }
   /** @param {number} t */
-  at(t) {
-    return this.sign * this.wave.at(t - this.transit);
-  }
-  /** @param {number} t */
-  exactly(t) {
-    return this.sign * this.wave.exactly(t - this.transit);
-  }
-  /** @param {number} t */
   sharp(t) {
     return this.sign * this.wave.sharp(t - this.transit);
   }
@@ -155,11 +181,33 @@ export class Mirrored {
   total(t) {
     return this.sign * this.wave.total(t - this.transit);
   }
+  /** @param {Steps} steps */
+  #sent(steps) {
+    return { ...steps, start: steps.start - this.transit };
+  }
   /**
-   * @param {number} t
+   * @param {Float64Array} out
+   * @param {Steps} steps
+   * @param {number} factor
+   */
+  addValues(out, steps, factor) {
+    this.wave.addValues(out, this.#sent(steps), this.sign * factor);
+  }
+  /**
+   * @param {Float64Array} out
+   * @param {Steps} steps
+   * @param {number} factor
    * @param {number} span
    */
-  mean(t, span) {
-    return this.sign * this.wave.mean(t - this.transit, span);
+  addMeans(out, steps, factor, span) {
+    this.wave.addMeans(out, this.#sent(steps), this.sign * factor, span);
+  }
+  /**
+   * @param {Float64Array} out
+   * @param {Steps} steps
+   * @param {number} factor
+   */
+  addTotals(out, steps, factor) {
+    this.wave.addTotals(out, this.#sent(steps), this.sign * factor);
   }
 }

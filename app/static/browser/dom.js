@@ -23,6 +23,15 @@ export function make(tag, properties = {}, ...children) {
 }
 
 /**
+ * Write where it says something else: what is written is laid out anew, as it was or not.
+ * @param {Node} node
+ * @param {string} words
+ */
+export function write(node, words) {
+  if (node.textContent !== words) node.textContent = words;
+}
+
+/**
  * The head of a table.
  * @param {string[]} texts
  */

@@ -1,6 +1,6 @@
 // A chart that is said, not programmed: axes, series and what else is to be seen; it finds its range and unit, writes
 // its legend, and can be zoomed, read, saved and listened to.
-import { make } from '../browser/dom.js';
+import { make, write } from '../browser/dom.js';
 import { shownIn, TRIPS, times } from '../clock/times.js';
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
@@ -174,7 +174,7 @@ export class Chart extends Plot {
       this.y = [low * this.factor, high * this.factor];
     }
     const caption = options.caption?.(this.unitShown, this.xUnit) ?? this.unitShown;
-    if (this.unit.textContent !== caption) this.unit.textContent = caption;
+    write(this.unit, caption);
     this.numbers.wait();
     if (this.fit()) this.paint(this.begin(this.below));
     this.turn.style.left = `${this.unitAt}px`;

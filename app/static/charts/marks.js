@@ -50,13 +50,8 @@ function line(c, plot, { x, y }, factor) {
   const first = x[0] < view[0] ? indexAt(x, view[0]) : 0;
   let end = first;
   while (end < x.length && x[end] <= view[1]) end++;
-  thinned(
-    first,
-    Math.min(end + 1, x.length),
-    (k) => frame.x + (x[k] - view[0]) * across,
-    (k) => base - y[k] * up,
-    (px, py) => c.lineTo(px, py),
-  );
+  const some = /** @type {[number, number]} */ ([first, Math.min(end + 1, x.length)]);
+  thinned({ x, y }, some, [frame.x - view[0] * across, across], [base, -up], (px, py) => c.lineTo(px, py));
 }
 
 /**

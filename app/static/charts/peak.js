@@ -1,5 +1,5 @@
 // What an engineer asks first of a contact force, in a line above its curve: the peak, when, and for how long.
-import { make } from '../browser/dom.js';
+import { make, write } from '../browser/dom.js';
 import { times } from '../clock/times.js';
 import { text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
@@ -45,7 +45,9 @@ export class Peak {
    */
   constructor(head, written) {
     this.written = written;
-    this.root = make('p', { className: 'peak', hidden: true });
+    this.said = document.createTextNode('');
+    this.spread = make('span');
+    this.root = make('p', { className: 'peak', hidden: true }, this.said, this.spread);
     head.after(this.root);
     times.watch(() => this.#write());
   }
@@ -61,8 +63,7 @@ export class Peak {
     const { at, force, open, span, touching } = shown;
     const parts = [text('chart.peak', { force: engineering(force, 'N', 4), time: written(at) })];
     if (touching > 0) parts.push(text('chart.contact-time', { time: written(touching), open }));
-    root.replaceChildren(parts.join(' · '));
-    if (0 < touching && touching < span)
-      root.append(make('span', { textContent: text('chart.contact-span', { span: written(span) }) }));
+    write(this.said, parts.join(' · '));
+    write(this.spread, 0 < touching && touching < span ? text('chart.contact-span', { span: written(span) }) : '');
   }
 }

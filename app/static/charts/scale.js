@@ -174,13 +174,15 @@ export function averaged(values, step, window) {
   const n = values.length;
   const sums = new Float64Array(n + 1);
   for (let k = 0; k < n; k++) sums[k + 1] = sums[k] + values[k] * step;
-  const upTo = (/** @type {number} */ t) => {
-    const place = Math.min(Math.max(t / step, 0), n);
-    const k = Math.min(Math.floor(place), n - 1);
-    return sums[k] + (place - k) * (sums[k + 1] - sums[k]);
-  };
-  const x = Float64Array.from(sums, (_, k) => k * step);
-  const y = x.map((t) => (upTo(t + window / 2) - upTo(t - window / 2)) / window);
+  const [x, y] = [new Float64Array(n + 1), new Float64Array(n + 1)];
+  for (let k = 0; k <= n; k++) {
+    x[k] = k * step;
+    for (let side = -1; n && side <= 1; side += 2) {
+      const place = Math.min(Math.max((x[k] + (side * window) / 2) / step, 0), n);
+      const i = Math.min(Math.floor(place), n - 1);
+      y[k] += (side * (sums[i] + (place - i) * (sums[i + 1] - sums[i]))) / window;
+    }
+  }
   return { x, y };
 }
 

@@ -1,7 +1,7 @@
 // The clock: play, step, jump from event to event, loop, pace. It runs in the browser alone; nothing is sent meanwhile.
 import { text } from '../text/catalogue.js';
 import { signed } from '../text/format.js';
-import { make } from '../browser/dom.js';
+import { make, write } from '../browser/dom.js';
 import { PaceMenu } from './pace.js';
 import { times, unitOfTime } from './times.js';
 
@@ -159,7 +159,7 @@ export class Player {
     this.t = t;
   }
   label() {
-    this.button.textContent = this.playing ? '❚❚' : '▶';
+    write(this.button, this.playing ? '❚❚' : '▶');
     this.button.ariaLabel = this.playing ? text('player.pause') : text('player.play');
     this.button.title = text('player.by-space', { name: this.button.ariaLabel });
     this.loops.ariaPressed = String(this.looping);
@@ -339,7 +339,7 @@ export class Player {
     const [perTrip, chosen] = times.shown;
     const trips = times.inSeconds || times.bare ? '' : ` = ${seconds}`;
     const time = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : seconds;
-    this.clock.textContent = this.said ? this.said(now) : time;
+    write(this.clock, this.said ? this.said(now) : time);
     this.scrub.ariaValueText = this.clock.textContent;
     this.show(now);
   }

@@ -19,6 +19,7 @@ export class Stack {
   /** @type {unknown} */ scene = null; // that is shown
   /** @type {string[]} */ leading = []; // charts that it was opened with
   sought = false; // whether these are still to come into view
+  had = ''; // which there were then
   beside = false; // a picture that shows what the others do: those that it was opened with have all the room
 
   /**
@@ -80,8 +81,11 @@ export class Stack {
    * @param {string[]} charts
    */
   lead(scene, charts) {
+    const had = String(this.here); // of another size it hears otherwise, and to ask for that the page is laid out
+    if (scene === this.scene && had === this.had) return;
     if (scene !== this.scene) [this.leading, this.sought] = [charts, charts.length > 0];
     this.scene = scene;
+    this.had = had;
     this.arrange();
   }
   /**

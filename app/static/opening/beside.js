@@ -1,14 +1,40 @@
-// What lies over the rows: the striker's face, the struck place, and what is said of the end.
+// What lies over the rows: forces, the striker's face, the struck place, and what is said of the end.
 import { letters, scale as zoom } from '../charts/canvas.js';
-import { COLORS } from '../charts/styles.js';
+import { COLORS, STYLES } from '../charts/styles.js';
+import { thinned } from '../charts/thinned.js';
 import { text } from '../text/catalogue.js';
 
+/** @import { Series } from '../charts/chart.js' */
 /** @import { Section, Woven } from './section.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 
 export const NARROW = 560; // of width [px]
 const MARK = { wide: 5, least: 2 }; // pixels of a contact at the struck place
 const LINE = 17; // pixels
+
+/**
+ * A force over time.
+ * @param {Context} c
+ * @param {Section} section
+ * @param {Series} series
+ */
+export function curve(c, section, { factor = 1, style, x, y }) {
+  const { color, dash = [], mark, width = 1.6 } = STYLES[style];
+  c.strokeStyle = c.fillStyle = color;
+  c.lineWidth = width;
+  c.setLineDash(dash);
+  c.beginPath();
+  if (mark) {
+    for (let k = 0; k < x.length; k++) c.rect(section.x(y[k] * factor) - 1.5, section.y(x[k]) - 1.5, 3, 3);
+    c.fill();
+  } else {
+    const [down, across] = [section.y(0), section.x(0)];
+    const [later, more] = [section.y(1) - down, section.x(factor) - across];
+    thinned({ x, y }, [0, x.length], [down, later], [across, more], (at, off) => c.lineTo(off, at));
+    c.stroke();
+  }
+  c.setLineDash([]);
+}
 
 /**
  * The face of the striker.

@@ -2,11 +2,10 @@
 import { cleared, letters, scale as zoom } from '../charts/canvas.js';
 import { between, ticks } from '../charts/scale.js';
 import { COLORS, css, dark, STYLES } from '../charts/styles.js';
-import { thinned } from '../charts/thinned.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
-import { feet, NARROW, striker, struck, traces } from './beside.js';
+import { curve, feet, NARROW, striker, struck, traces } from './beside.js';
 import { withBesides } from './besides.js';
 import { weave } from './rows.js';
 import { seam } from './seam.js';
@@ -101,7 +100,7 @@ export class Section {
     return this.box.top + ((t - start) / (end - start)) * this.box.tall;
   }
   /** @param {number} force  [N] */
-  #x(force) {
+  x(force) {
     return this.box.base - (force / this.most) * this.box.track;
   }
   /**
@@ -154,7 +153,7 @@ export class Section {
     striker(c, this, shown);
     if (!shown.ends && !shown.scale && !shown.feet) struck(c, this, shown);
     const forces = this.guess ? [...shown.forces, this.guess] : shown.forces;
-    for (const series of forces.toReversed()) this.#curve(c, series);
+    for (const series of forces.toReversed()) curve(c, this, series);
     this.#names(c, forces);
     feet(this, shown);
     traces(c, this, shown);
@@ -190,7 +189,7 @@ export class Section {
       if (!contacts.some(([from, to]) => t >= from && t <= to)) continue;
       const y = Math.round(top + (row / rows) * tall);
       const high = Math.round(top + ((row + 1) / rows) * tall) - y;
-      const here = this.#x(between(force.x, force.y, t) * (force.factor ?? 1));
+      const here = this.x(between(force.x, force.y, t) * (force.factor ?? 1));
       c.fillStyle = css(this.ends[row], largest);
       c.globalAlpha = 1;
       c.fillRect(here, y, base - here, high);
@@ -217,7 +216,7 @@ export class Section {
     for (const force of ticks(0, this.most * factor, Math.max(track / (70 * zoom), 2)).found) {
       const words = localised(String(force));
       const half = c.measureText(words).width / 2 + 3;
-      const x = Math.round(this.#x(force / factor)) + 0.5;
+      const x = Math.round(this.x(force / factor)) + 0.5;
       c.strokeStyle = force ? COLORS.grid : COLORS.edge;
       c.beginPath();
       c.moveTo(x, top);
@@ -266,24 +265,6 @@ export class Section {
     c.fillText(by, width - FOOT, LABEL.line * zoom - 3);
   }
   /**
-   * @param {Context} c
-   * @param {Series} series
-   */
-  #curve(c, { factor = 1, style, x, y }) {
-    const { color, dash = [], mark, width = 1.6 } = STYLES[style];
-    c.strokeStyle = c.fillStyle = color;
-    c.lineWidth = width;
-    c.setLineDash(dash);
-    c.beginPath();
-    const across = (/** @type {number} */ k) => this.#x(y[k] * factor);
-    const down = (/** @type {number} */ k) => this.y(x[k]);
-    if (mark) for (let k = 0; k < x.length; k++) c.rect(across(k) - 1.5, down(k) - 1.5, 3, 3);
-    else thinned(0, x.length, down, across, (at, off) => c.lineTo(off, at));
-    if (mark) c.fill();
-    else c.stroke();
-    c.setLineDash([]);
-  }
-  /**
    * What the curves are, in their colours, where they have come to rest.
    * @param {Context} c
    * @param {Series[]} forces
@@ -312,7 +293,7 @@ export class Section {
     c.font = letters(tall / zoom, '600 ');
     const { font } = c;
     const wide = c.measureText(words).width + 8;
-    const [at, down] = [this.#x(y[most] * factor), this.y(x[most])];
+    const [at, down] = [this.x(y[most] * factor), this.y(x[most])];
     const edge = this.tracks.length ? this.box.track : TRACK.least;
     const beside = at - wide >= edge;
     const left = beside ? at - wide : Math.max(Math.min(edge, base - wide), this.tracks.length ? edge : 18 * zoom);
@@ -320,7 +301,7 @@ export class Section {
     const clear = (/** @type {number} */ top) => {
       for (let k = 0; k < x.length; k++) {
         const py = this.y(x[k]);
-        if (py > top && py < top + high && this.#x(y[k] * factor) < left + wide) return false;
+        if (py > top && py < top + high && this.x(y[k] * factor) < left + wide) return false;
       }
       return top >= first && top + high <= first + all;
     };
@@ -372,7 +353,7 @@ export class Section {
     const value = between(x, force, t) * factor;
     c.fillStyle = COLORS.cursor;
     c.beginPath();
-    c.arc(this.#x(value), y, 4.5, 0, 7);
+    c.arc(this.x(value), y, 4.5, 0, 7);
     c.fill();
     const [perUnit, unit] = scaled(this.most, 'N');
     const above = y - LABEL.line * zoom >= top; // else it would lie on what is written there

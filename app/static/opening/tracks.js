@@ -176,14 +176,8 @@ function curve(c, track, place, { factor = 1, style, x, y }, { stretch, y: at })
   let [from, to] = [0, x.length];
   while (from < to && (x[from + 1] ?? x[from]) < stretch[0]) from++;
   while (to > from && (x[to - 2] ?? x[to - 1]) > stretch[1]) to--;
-  const off = (/** @type {number} */ k) => across(track, place, y[k] * factor);
-  thinned(
-    from,
-    to,
-    (k) => at(x[k]),
-    off,
-    (down, right) => c.lineTo(right, down),
-  );
+  const scale = across(track, place, factor) - zero;
+  thinned({ x, y }, [from, to], [at(0), at(1) - at(0)], [zero, scale], (down, right) => c.lineTo(right, down));
   c.stroke();
   c.setLineDash([]);
   if (!filled) return;
