@@ -48,6 +48,16 @@ def test_a_phone_names_every_impact(open_page):
     expect(page.tab.locator(".happens li:visible")).to_have_count(page.header("main")["contacts"])
 
 
+def test_impulses_that_take_no_time_are_drawn_as_such(open_page):
+    """By balances there is no force: its track had nothing in it, from 0 to 0."""
+    page = open_page("?scene=spring-mass&layout=opening")
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.tracks.length")
+    track = page.evaluate("() => strikewave.page.opening.section.shown.tracks[0]")
+    assert track["title"] == "Impulses" and track["range"][0] > 0
+    assert len(track["bars"]) == len(page.header("exact")["contacts"])
+
+
 LINKS = """() => {
   const { mechanism, root } = strikewave.page.view.stage;
   const points = mechanism.placed.flat();
