@@ -22,6 +22,8 @@ import pytest
 
 import solvers
 from app.command import main
+from app.command.serve import DEFAULT_PORT
+from app.serving.server import opened_at
 from app.text.catalogues import LANGUAGES
 from app.text.catalogues import page as catalogue
 from bench import thesis
@@ -79,6 +81,10 @@ def test_examples_print_what_stands_below_them(page, capsys, monkeypatch):
                 assert_prints(shown, "".join(capsys.readouterr()))
         elif kind == "toml":
             solvers.Scene.from_table(tomllib.loads(text))
+
+
+def test_the_readme_says_where_the_command_says_that_the_page_is():
+    assert f"`http://{opened_at(DEFAULT_PORT, '127.0.0.1', [], False)}`" in TOP[0].read_text("utf-8")
 
 
 def test_scenes_that_are_shown_are_the_files_they_name():

@@ -16,7 +16,7 @@ from solvers import Scene, SceneError
 from solvers.bodies import MATERIALS, AnyBody, Mechanism, read_material
 from solvers.bodies.pendulum import Pivoted
 
-from ..text.refusals import Refused, code_or, note
+from ..text.refusals import SOME_TEXT, Refused, code_or, note
 from .mechanism import PLACED, mechanism_parts, move, on_mechanism
 from .part import QUANTITIES, RANGES, Part, in_table
 
@@ -66,7 +66,7 @@ def split(key: str) -> tuple[str, str]:
 
 
 def _repeated(text: str) -> str:
-    return repr(text) if _HARMLESS.fullmatch(text) else "refused.some-text"
+    return repr(text) if _HARMLESS.fullmatch(text) else SOME_TEXT
 
 
 def title_of_value(key: str) -> dict[str, Any]:

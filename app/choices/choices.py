@@ -16,7 +16,7 @@ from solvers.scenes.library import built_in
 from solvers.text.catalogue import SOURCE
 from solvers.validation import shown
 
-from ..text.refusals import Refused, code_or, reason_of
+from ..text.refusals import SOME_TEXT, Refused, code_or, reason_of
 from .bodies import BodyValues, read_values
 from .own import CHECKS, is_own, own_scene
 
@@ -122,7 +122,8 @@ def within(name: str, value: float) -> float:
 
 def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, key: str | None = None) -> Refused:
     """For who uses the page: the control, the value and what is allowed; `key` where it has no title."""
-    parameter, said = of.param[name], {"control": title_of(name, key), "value": shown(value)}
+    parameter, given = of.param[name], SOME_TEXT if value is SOME_TEXT else shown(value)
+    said = {"control": title_of(name, key), "value": given}
     if name == "scene" and is_own(value):
         return _refused_scene(value)
     if name == "scene":

@@ -5,15 +5,13 @@ from typing import Any
 
 import param
 
-from solvers.validation import shown
-
 from ..choices.beam import free_place
 from ..choices.bodies import is_key
 from ..choices.body_value import with_body_value
 from ..choices.choices import Choices, accepts, refusal
 from ..choices.own import LONGEST, is_own
 from ..choices.scene_of import choices_of
-from ..text.refusals import Refused
+from ..text.refusals import SOME_TEXT, Refused
 from ..views.registry import VIEWS, opened_with
 from .questions import Questions, accepted
 
@@ -99,7 +97,7 @@ def value_of(parameter: param.Parameter, text: str) -> object:
 
 def shown_of(text: str, value: object) -> object:
     """What may be shown of a value from an address: nothing that could be more than a word or a number."""
-    return value if re.fullmatch(r"[\w.+-]{1,24}", text) else "text"
+    return value if re.fullmatch(r"[\w.+-]{1,24}", text) else SOME_TEXT
 
 
 def chosen_in(arguments: dict[str, list[bytes]]) -> dict[str, Any]:
@@ -120,8 +118,8 @@ def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, An
         if name in PANELS:
             kept[PANELS[name]] = True
         elif name not in FORMER_PANELS:
-            said = {"value": shown(shown_of(name, name)), "options": list(PANELS)}
-            refused.append(Refused("refused.panel", **said))
+            value = shown_of(name, repr(name))
+            refused.append(Refused("refused.panel", value=value, options=list(PANELS)))
     for key, (name, _, question) in _QUESTIONS.items():
         if key not in arguments:
             continue

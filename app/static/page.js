@@ -62,7 +62,10 @@ export class Page {
     this.waiter = new Waiting(model);
     this.names = Object.keys(model.spec);
     /** @type {Changes} */
-    this.changes = new Changes({ model, lost: () => Boolean(this.connection?.lost), sent: () => this.#sent() });
+    this.changes = new Changes({
+      ...{ model, lost: () => Boolean(this.connection?.lost) },
+      ...{ sent: () => this.#sent(), kept: () => this.connection.tell() },
+    });
     this.controls = new Controls(this);
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
@@ -103,11 +106,7 @@ export class Page {
     this.root.append(this.toast.root, this.help.root);
     const sheets = alone ? ['sheets.css'] : ['sheets.css', 'frame/embedded.css'];
     el.append(...sheets.map(sheet), this.root, this.waiter.root);
-    this.connection = new Connection(model, this.root, {
-      state: () => stateOf(this),
-      late: () => this.changes.late,
-      back: () => this.changes.flush(),
-    });
+    this.connection = new Connection(this, () => stateOf(this));
     this.listen(model);
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene

@@ -9,6 +9,8 @@ from solvers.text.notes import Note, Severity
 
 from .catalogues import page
 
+SOME_TEXT = "refused.some-text"  # said in place of a value that is more than a word
+
 
 class Refused(ValueError):
     """A code of `app/text/*/page`, and values for its sentence; `str` is that sentence for who runs this process."""

@@ -12,7 +12,7 @@ const frame = (chosen) => /** @type {any} */ ({ chosen });
 test('the next change waits for the answer to the last, not for a frame that crosses it', () => {
   /** @type {any} */
   const model = { speed: 1 };
-  const changes = new Changes({ model, lost: () => false, sent: () => {} });
+  const changes = new Changes({ model, lost: () => false, sent: () => {}, kept: () => {} });
   changes.set('speed', 2);
   changes.set('speed', 3);
   assert.equal(model.speed, 2);
@@ -26,7 +26,7 @@ test('the next change waits for the answer to the last, not for a frame that cro
 test('a value that the server has changed is answered as it is then', () => {
   /** @type {any} */
   const model = { support: 'free', place: 1 };
-  const changes = new Changes({ model, lost: () => false, sent: () => {} });
+  const changes = new Changes({ model, lost: () => false, sent: () => {}, kept: () => {} });
   changes.set('place', 0.2);
   model.place = 0.25;
   assert.equal(changes.answers(frame({ place: 0.25 })), true);
@@ -36,7 +36,7 @@ test('a value that the server has changed is answered as it is then', () => {
 test('while a hand moves what is answered on the spot, an answer that comes sends nothing', () => {
   /** @type {any} */
   const model = { speed: 1 };
-  const changes = new Changes({ model, lost: () => false, sent: () => {} });
+  const changes = new Changes({ model, lost: () => false, sent: () => {}, kept: () => {} });
   changes.set('speed', 2);
   changes.set('speed', 3, () => 1000);
   changes.settle();

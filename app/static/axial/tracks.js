@@ -76,7 +76,7 @@ export function tracksOf(frame, field, forces) {
   const [force] = forces;
   /** @type {Track[]} */
   const tracks = [];
-  if (exact.sudden || !force?.x.length) {
+  if (!exact.peakForce || !force?.x.length) {
     const most = Math.max(...exact.contacts.map(([, , impulse]) => impulse));
     const bars = exact.contacts.map(([t, , value]) => ({ t, value, words: engineering(value, 'N s', 3) }));
     tracks.push({ title: text('opening.track.impulses'), share: 1, range: [1.6 * most, 0], unit: 'N s', bars });

@@ -8,6 +8,8 @@ import { family } from '../text/catalogue.js';
 /** @import { Note } from '../text/catalogue.js' */
 
 const LONGEST = 80; // letters of a value in an address
+const NUMBER = /^\s*[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?\s*$/i; // as a server reads them
+const WHOLE = /^\s*[+-]?\d+\s*$/;
 const UNITS = family('unit');
 
 /**
@@ -31,12 +33,13 @@ export const fixed = (name) => refusal('offline.choice', { control: `control.${n
  * @param {string} name
  * @param {unknown} value
  * @param {Spec} spec
+ * @param {unknown} [given]  as an address has it
  * @returns {Note | null}
  */
-export function refusalOf(name, value, spec) {
+export function refusalOf(name, value, spec, given = value) {
   const { high, low, options, whole } = spec[name];
   const control = `control.${name}`;
-  const shown = String(value).slice(0, LONGEST);
+  const shown = String(given).trim().slice(0, LONGEST) || 'refused.some-text';
   if (options) {
     const all = options.map((each) => `name.${name}.${each}`);
     return options.includes(String(value)) ? null : refusal('refused.choice', { control, value: shown, options: all });
@@ -65,8 +68,9 @@ export function choicesIn(search, offline) {
   for (const [name, bounds] of Object.entries(spec)) {
     const given = query.get(name);
     if (given === null || name === 'scene' || name === 'bodies') continue;
-    const value = bounds.options ? given : Number(given || NaN);
-    const why = refusalOf(name, Number.isNaN(value) ? given : value, spec);
+    const number = (bounds.whole ? WHOLE : NUMBER).test(given) ? Number(given) : NaN;
+    const value = bounds.low === undefined ? given : number;
+    const why = refusalOf(name, value, spec, given);
     if (why) refused.push(why);
     else if (!Object.is(value, chosen[name]) && !answers.covers(base, [name])) refused.push(fixed(name));
     else chosen[name] = value;

@@ -20,6 +20,7 @@ const MAX_TRIES = 4; // answers that may differ from the settings gone to, befor
  * @property {Model} model
  * @property {() => boolean} lost  there is none at present
  * @property {() => void} sent  a change is on its way
+ * @property {() => void} kept  a change waits until there is one
  */
 
 export class Changes {
@@ -80,7 +81,8 @@ export class Changes {
     const { model } = this.server;
     const names = Object.keys(this.waiting);
     const left = this.asked ? PATIENCE - (performance.now() - this.asked) : 0;
-    if (!names.length || this.server.lost()) return; // kept until there is a server again
+    if (this.server.lost()) this.server.kept();
+    if (!names.length || this.server.lost()) return;
     if (left > 0) {
       // an answer that never comes must not hold the next change for good
       clearTimeout(this.patience);

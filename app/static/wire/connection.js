@@ -1,12 +1,13 @@
-// The connection to the server. When it is lost that is said at once; what is shown plays on, and when a server answers
-// again the page comes back with all that it showed: the address holds the choices, the browser the rest.
+// The connection to the server. When it is lost that is said at once, and whether what is chosen waits for it; what is
+// shown plays on, and when a server answers again the page comes back with all that it showed: the address holds the
+// choices, the browser the rest.
 import { text } from '../text/catalogue.js';
 import { documents } from '../browser/bokeh.js';
 import { make } from '../browser/dom.js';
 import { alone, carried, served } from '../browser/home.js';
 import { keep, kept } from '../browser/store.js';
 
-/** @import { Model } from './model.js' */
+/** @import { Page } from '../page.js' */
 
 const LATE = 800; // ms without an answer after which the server is asked whether it is there
 const PATIENCE = 1000; // ms that it has to say so
@@ -27,23 +28,21 @@ export class Connection {
   asked = performance.now(); // when the server was asked last
 
   /**
-   * @param {Model} model
-   * @param {HTMLElement} page
-   * @param {{ state: () => unknown, late: () => number, back: () => void }} asks  the state to come back with; ms
-   *   without an answer; what is to be done once there is a server again
+   * @param {Page} page
+   * @param {() => unknown} state  to come back with
    */
-  constructor(model, page, { state, late, back }) {
+  constructor(page, state) {
+    const { model } = page;
+    this.page = page;
     this.model = model;
     this.state = state;
-    this.late = late;
-    this.back = back;
     this.pause = AGAIN;
     this.root = make('div', { className: 'connection', role: 'alert', hidden: true });
     this.words = make('span');
     const onclick = () => this.#return();
     const reload = make('button', { type: 'button', textContent: text('connection.reload'), onclick });
     this.root.append(this.words, reload);
-    page.append(this.root);
+    page.root.append(this.root);
     if (carried) return; // nothing that could be lost
     model.on('disconnected', () => this.#turnedOut());
     for (const shown of documents()) {
@@ -67,7 +66,7 @@ export class Connection {
   async #watch() {
     const now = performance.now();
     if (this.lost || this.closed || document.hidden) return;
-    const due = this.late() > LATE && now - this.asked > LATE;
+    const due = this.page.changes.late > LATE && now - this.asked > LATE;
     if (!due && now - this.asked < REGULAR) return;
     this.asked = now;
     if (!(await answers(served('liveness')))) this.#lose();
@@ -78,8 +77,14 @@ export class Connection {
     if (this.lost || this.closed) return;
     this.lost = true;
     this.pause = AGAIN;
-    this.#say(text(this.model.disconnected || (alone ? 'connection.lost' : 'connection.lost-in-page')));
+    this.page.waiter.clear(); // what it was for is said here
+    this.tell();
     if (alone || !cut) this.#look(); // when another's page comes back is its own affair
+  }
+  /** What goes on without a server, and what does not. */
+  tell() {
+    if (!this.lost || this.closed) return;
+    this.#say(text(this.model.disconnected || (this.page.own.behind ? 'connection.waits' : 'connection.lost')));
   }
   /** Ask until there is a server with room; then go on there. */
   #look() {
@@ -101,7 +106,7 @@ export class Connection {
   #found() {
     this.lost = this.cut = false;
     this.#say('');
-    this.back();
+    this.page.changes.flush();
   }
   #return() {
     this.keep();
@@ -113,6 +118,7 @@ export class Connection {
   }
   /** @param {string} sentence */
   #say(sentence) {
+    if (this.words.textContent === sentence) return; // which is read out whenever it is set
     this.words.textContent = sentence;
     this.root.hidden = !sentence;
     this.root.parentElement?.classList.toggle('lost', Boolean(sentence));

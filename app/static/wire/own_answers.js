@@ -55,6 +55,11 @@ export class OwnAnswers {
   #changed({ chosen }) {
     return Object.entries(this.#chosen).flatMap(([name, value]) => (Object.is(chosen[name], value) ? [] : [name]));
   }
+  /** Whether what is chosen by now is not what is shown. */
+  get behind() {
+    const { changes, frame } = this.page;
+    return Boolean(changes.latest) && this.#changed(frame).length > 0;
+  }
   /** The answer of the server that one to what is chosen by now is made from: its last, or the last whole one. */
   get #base() {
     const { answers, page } = this;
@@ -135,5 +140,6 @@ export class OwnAnswers {
     page.opening.draw(true);
     page.player.load(page.view.clock(frame));
     page.tell();
+    page.connection.tell(); // there may be no server
   }
 }

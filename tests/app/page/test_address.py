@@ -48,10 +48,11 @@ def test_a_budget_is_kept_to_rather_than_a_tolerance():
     "key, value, reported",
     [
         ("panel", "weather", "Analysis: 'weather' is not possible. Choose one of energy, needs,"),
-        ("panel", "needs,<b>", "Analysis: 'text' is not possible."),
+        ("panel", "needs,<b>", "Analysis: “…” is not possible."),
         ("tolerance", "0", "Error: 0.0 is not possible. Choose a number from 1e-06 to 0.5."),
         ("tolerance", "much", "Error: 'much' is not possible. Choose a number from"),
         ("budget", "1e9", "Computing time, s: 1000000000.0 is not possible. Choose a number from 0.0001 to 6"),
+        ("axis", "<b>", "Step against: “…” is not possible. Choose one of contact_stiffness, mass_ratio, modes"),
         ("axis", "step", "Step against: 'step' is not possible. Choose one of contact_stiffness, mass_ratio, modes"),
         ("waves", "1", "Exact waves: '1' is not possible. Choose true or false."),
     ],

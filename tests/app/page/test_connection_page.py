@@ -67,6 +67,38 @@ def test_a_lost_server_is_said_playback_goes_on_and_the_page_comes_back(own_serv
     expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_be_hidden()
 
 
+READY = "() => strikewave.page.own.answers"
+SHOWN = "() => strikewave.page.frame.chosen.mass_ratio"
+
+
+@pytest.mark.slow
+def test_a_server_that_goes_while_a_slider_is_dragged(own_server, open_on):
+    """The drag is answered on; nothing is said to be solved that is not; what is chosen last is there in the end."""
+    page = open_on()
+    page.wait(READY)
+    box = page.tab.get_by_role("slider", name="Mass ratio").bounding_box()
+    y, first = box["y"] + box["height"] / 2, box["x"] + box["width"] / 2
+    page.tab.mouse.move(first, y)
+    page.tab.mouse.down()
+    page.tab.mouse.move(first + 20, y, steps=10)
+    own_server.end()
+    expect(page.tab.get_by_role("alert")).to_contain_text("Sliders go on")
+    before = page.evaluate(SHOWN)
+    page.tab.mouse.move(first + 40, y, steps=10)
+    page.wait(f"before => ({SHOWN})() > before", before)
+    page.tab.mouse.up()
+    page.tab.wait_for_timeout(600)  # until the hand has rested, and what is awaited would be said
+    expect(page.tab.get_by_text("Solving")).to_be_hidden()
+    expect(page.tab.get_by_role("alert")).to_contain_text("Sliders go on")
+    last = page.evaluate(SHOWN)
+    page.evaluate("() => strikewave.page.choose('method', 'fe-nodal')")  # which the server alone knows
+    expect(page.tab.get_by_role("alert")).to_contain_text("waits until it is back")
+    own_server.start()
+    page.wait("() => window.strikewave?.page.frame.chosen.method === 'fe-nodal'", timeout=BACK)
+    assert page.evaluate(SHOWN) == last
+    expect(page.tab.get_by_role("alert")).to_be_hidden()
+
+
 @pytest.mark.slow
 def test_a_server_that_hangs_is_noticed_by_who_waits_for_it(own_server, open_on):
     page = open_on()

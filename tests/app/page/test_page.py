@@ -298,7 +298,7 @@ def test_a_bad_address_is_refused_and_never_becomes_markup(open_page):
     toast = page.tab.locator(".toast")
     expect(toast).to_contain_text("Mass ratio: 1000000000.0 is not possible. Choose a number from 0.001 to 1000.")
     assert "Contact law" not in toast.inner_text()  # which comes next: one at a time
-    expect(toast).to_contain_text("Contact law: 'text' is not possible", timeout=15_000)
+    expect(toast).to_contain_text("Contact law: “…” is not possible", timeout=15_000)
     assert "img" not in toast.inner_text()
     assert page.tab.title() == "Strikewave: one body strikes another"
 

@@ -150,7 +150,11 @@ def test_a_link_leads_to_a_scene_with_its_choices(opened):
     [
         ("?scene=newtons-cradle", "This page works without a server and does not have this scene."),
         ("?elements=5", "Elements cannot be changed here: this page works without a server."),
-        ("?mass_ratio=1e9", "Mass ratio: 1000000000 is not possible. Choose a number from 0.001 to 1000."),
+        ("?mass_ratio=1e9", "Mass ratio: 1e9 is not possible. Choose a number from 0.001 to 1000."),
+        ("?mass_ratio=1e999", "Mass ratio: 1e999 is not possible. Choose a number from 0.001 to 1000."),
+        ("?mass_ratio=0x10", "Mass ratio: 0x10 is not possible. Choose a number from 0.001 to 1000."),
+        ("?mass_ratio=", "Mass ratio: “…” is not possible. Choose a number from 0.001 to 1000."),
+        ("?modes=1e2", "Modes: 1e2 is not possible. Choose a whole number from 1 to 200."),
         ("?mass_ratio=heavy", "Mass ratio: heavy is not possible. Choose a number from 0.001 to 1000."),
         ("?target.length=2", "this page works without a server."),
     ],

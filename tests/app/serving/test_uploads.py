@@ -110,7 +110,7 @@ def test_bad_files_are_refused_in_a_sentence(server, content, said):
     "query, said",
     [
         ({"speed": "1e9"}, "Impact speed: 1000000000.0 is not possible."),
-        ({"law": "<script>"}, "Contact law: 'text' is not possible"),
+        ({"law": "<script>"}, "Contact law: “…” is not possible"),
         ({"scene": "nowhere"}, "Scene: 'nowhere' is none of the"),
         ({"at": "9"}, "“9” is not possible. Give its distance from the struck end in metres, from 0 to 1.48."),
         ({"at": ""}, "Where does the gauge sit? Give its distance"),
