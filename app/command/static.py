@@ -5,7 +5,6 @@ import re
 from pathlib import Path
 
 from solvers import SceneError
-from solvers.text.catalogue import spoken
 
 from .parser import Refused
 from .words import text
@@ -27,11 +26,10 @@ def _export(options: argparse.Namespace) -> int:
     if options.laboratory and not re.fullmatch(r"https?://[^\s/?#]+(/[^\s?#]*)?", options.laboratory):
         raise SceneError("--laboratory", options.laboratory, text("wanted.laboratory"))
     from ..serving.folder import OutOfDate, export
-    from ..text.catalogues import language_for
 
     folder = Path(options.folder)
     try:
-        done = export(folder, options.laboratory, language_for(spoken()), options.lessons)
+        done = export(folder, options.laboratory, options.lessons)
     except OutOfDate:
         raise Refused(text("run.kernels-out-of-date")) from None
     except OSError as error:

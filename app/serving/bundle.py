@@ -72,7 +72,7 @@ def _add(root: Path, name: str, state: dict[str, bool], parts: list[str], late: 
             raise ValueError(f"{name} imports itself by way of others")
         return
     state[name] = False
-    text, folder = _shorter((root / name).read_text("utf-8")), PurePosixPath(name).parent
+    text, folder = shorter((root / name).read_text("utf-8")), PurePosixPath(name).parent
     needed = [_inside(folder / path) for *_, path in IMPORT.findall(text)]
     if late and LATE.search(text):  # whichever it will be: all there that stand alone or are needed by others too
         needed += sorted(
@@ -99,7 +99,7 @@ def _function_of(name: str, folder: PurePosixPath, text: str) -> str:
     return f"modules['{name}'] = await (async () => {{\n{body}return {{ {', '.join(exported)} }};\n}})();\n"
 
 
-def _shorter(text: str) -> str:
+def shorter(text: str) -> str:
     """Without comments and types; without what is at the ends of lines, but for a template literal that spans some."""
     text = CAST.sub("", COMMENT.sub("", text))
     return text if _spans(text) else INDENT.sub("", TRAILING.sub("", text))

@@ -5,6 +5,7 @@ kernels that do so. Pages from the disk may load neither modules nor data: all o
 import gzip
 import json
 import math
+import re
 from html import escape
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -12,6 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from solvers.numerics.waves.chain_drawn import MOST_RODS
+from solvers.text.catalogue import SOURCE
+from solvers.text.messages import terms_in
 
 from ..choices.choices import SCENES, Choices
 from ..choices.scene_of import choices_of
@@ -22,10 +25,12 @@ from ..messages.encoding import arrays_of, read_header, whole_numbers
 from ..messages.solve import solve_frame
 from ..page.lab import STATIC, spec_of_choices
 from ..page.picker import gallery
-from ..text.catalogues import direction, of_browser, page
+from ..page.picker import lessons as listed
+from ..text.asked import asked_in
+from ..text.catalogues import LANGUAGES, direction, page
 from ..wasm.covered import covered_of
 from ..wasm.module import MODULE, named_in, sources
-from .bundle import function
+from .bundle import function, shorter
 from .pages import LATE, SHEETS, styles, text_of
 from .still import first_still
 
@@ -34,7 +39,6 @@ HERE = Path(__file__).parent
 ENTRIES = ("gallery/gallery.js", "take/files.js", "offline/page.js")
 OF_LESSONS = ("lesson/lesson.js", "courses/courses.js")  # before these, and the sheets of both
 TEXTS_OF_LESSONS = ("lesson.", "class.")
-REFUSING = ("refusals.", "allowed.")
 WITHOUT = ("mechanism", "space")  # kinds of scene that no kernel here answers
 ANALYSES = ("plan", "record", "stability", "tolerance", "tradeoff", "trust")  # which a server makes
 UNUSED = ("space/stage.css", *(f"panels/{each}.css" for each in ANALYSES))
@@ -88,9 +92,9 @@ class Exported(NamedTuple):
     bytes: int  # of all files
 
 
-def export(folder: Path, laboratory: str, language: str, lessons: bool = False) -> Exported:
-    """Write it; `laboratory`: the address of one with a server, which it then leads to, or nothing; `lessons`: with
-    those that need no server.
+def export(folder: Path, laboratory: str, lessons: bool = False) -> Exported:
+    """Write it, in all languages; `laboratory`: the address of one with a server, which it then leads to, or nothing;
+    `lessons`: with those that need no server.
 
     Raises OutOfDate, and OSError for a folder that cannot be written.
     """
@@ -98,16 +102,17 @@ def export(folder: Path, laboratory: str, language: str, lessons: bool = False) 
     if named_in(kernels) != sources():
         raise OutOfDate
     names = covered_of(SCENES)
-    taught = _lessons(language) if lessons else {}
+    taught = [name for name in lesson_names() if lessons and runs_alone(shipped_lesson(name))]
     of_lessons = sorted(each for each in LATE if each.startswith(("lesson/", "courses/")) and each.endswith(".css"))
     sheets = ["gallery/gallery.css", *(of_lessons if taught else ())]
-    entries = (*OF_LESSONS, *ENTRIES) if taught else ENTRIES
+    scripts = function(STATIC, (*OF_LESSONS, *ENTRIES) if taught else ENTRIES, "strikewavePage", WITHOUT)
+    start = shorter((STATIC / "offline/start.js").read_text("utf-8"))
     files = {
-        "index.html": _document(language).encode(),
+        "index.html": _document().encode(),
         "kernels.js": script("strikewaveKernels", kernels),
-        "scenes.js": _scenes(names, laboratory, language, taught),
-        "page.js": function(STATIC, entries, "strikewavePage", WITHOUT).encode(),
-        "start.js": text_of(STATIC / "offline/start.js"),
+        "scenes.js": _scenes(names, laboratory, taught, scripts + start),
+        "page.js": scripts.encode(),
+        "start.js": start.encode(),
         SHEETS: styles(UNUSED),
         **{name: text_of(STATIC / name) for name in sheets},
     }
@@ -117,19 +122,25 @@ def export(folder: Path, laboratory: str, language: str, lessons: bool = False) 
     return Exported(len(names), len(SCENES), len(taught), sum(map(len, files.values())))
 
 
-def _document(language: str) -> str:
-    texts = page(language).texts
-    session = json.dumps({"lost": texts["offline.lost"]})
+def _document() -> str:
+    """In the source language until start.js runs, which knows that of the visitor; a still has no words."""
+    texts = page(SOURCE).texts
+    session = {
+        each: {"direction": direction(each), "name": said["document.language"], "lost": said["offline.lost"]}
+        for each in LANGUAGES
+        for said in [page(each).texts]
+    }
+    no_script = (f'<p lang="{each}">{escape(page(each).texts["document.no-script"])}</p>' for each in LANGUAGES)
     said = {
         "POLICY": escape(POLICY),
         "TITLE": escape(texts["document.title"]),
         "ABOUT": escape(texts["document.about"]),
-        "NO-SCRIPT": escape(texts["document.no-script"]),
-        "LANGUAGE": language,
-        "DIRECTION": direction(language),
-        "SESSION": escape(session, quote=False),
+        "NO-SCRIPT": "".join(no_script),
+        "LANGUAGE": SOURCE,
+        "DIRECTION": direction(SOURCE),
+        "SESSION": escape(json.dumps({"languages": session}, ensure_ascii=False), quote=False),
         "STYLE": (STATIC / "frame/page.css").read_text("utf-8"),
-        "STILL": first_still(page(language)),
+        "STILL": first_still(),
     }
     text = (HERE / "folder.html").read_text("utf-8")
     for mark, content in said.items():
@@ -137,13 +148,7 @@ def _document(language: str) -> str:
     return text
 
 
-def _lessons(language: str) -> dict[str, Any]:
-    """Records, by name, of those that a browser runs by itself, in this language if there is a translation."""
-    found = [shipped_lesson(name, language) for name in lesson_names()]
-    return {each.lesson: lesson_record(each) for each in found if runs_alone(each)}
-
-
-def _scenes(names: list[str], laboratory: str, language: str, lessons: dict[str, Any]) -> bytes:
+def _scenes(names: list[str], laboratory: str, taught: list[str], scripts: str) -> bytes:
     """A script with texts, lessons, choices and a message of each scene, packed: a head in JSON, then headers of all
     messages, which are much alike, then their arrays, of which many have the same.
     """
@@ -154,11 +159,13 @@ def _scenes(names: list[str], laboratory: str, language: str, lessons: dict[str,
     known = {law["name"] for header, _ in parts for law in json.loads(header)["laws"]}
     laws = [name for name in spec["law"]["options"] if name in known]
     headers = b"".join(header for header, _ in parts)
+    shown = _gallery(set(names), taught)
+    codes = _codes(names, bool(taught), scripts, headers.decode() + json.dumps(shown))
     head = {
-        "texts": {"language": language, "texts": _texts(language, bool(lessons), headers.decode())},
+        "codes": codes,
+        "said": {language: _said(language, codes, taught) for language in LANGUAGES},
         "spec": spec | {"scene": spec["scene"] | {"options": names}, "law": spec["law"] | {"options": laws}},
-        "gallery": _gallery(set(names), lessons, language),
-        "lessons": lessons,
+        "gallery": shown,
         "kernels": sources(),
         "laboratory": laboratory,
         "messages": messages,
@@ -168,14 +175,43 @@ def _scenes(names: list[str], laboratory: str, language: str, lessons: dict[str,
     return script("strikewavePacked", len(text).to_bytes(4, "little") + text + headers + b"".join(pool))
 
 
-def _texts(language: str, lessons: bool, headers: str) -> dict[str, str]:
-    """Of the page, but for those of lessons where there are none, and refusals that no message has: a server gives
-    the others.
+def _codes(names: list[str], lessons: bool, scripts: str, messages: str) -> list[str]:
+    """Of the texts that these scripts ask for or these messages name, in any language, and of the terms in them."""
+    asked, beginnings = asked_in(scripts)
+    named = set(re.findall(r'"([\w.-]+)"', messages)) | asked
+    begun = (*(each for each in beginnings if each != "scene."), *(f"scene.{name}." for name in names))
+    left_out = () if lessons else TEXTS_OF_LESSONS
+    texts = {code: None for language in LANGUAGES for code in page(language).texts}
+    found = [code for code in texts if (code in named or code.startswith(begun)) and not code.startswith(left_out)]
+    for code in found:  # which grows
+        terms = (terms_in(page(language).texts.get(code, "")) for language in LANGUAGES)
+        found += sorted({f"terms.{term}" for term in set().union(*terms)}.difference(found))
+    return found
+
+
+def _said(language: str, codes: list[str], taught: list[str]) -> dict[str, Any]:
+    """All words in a language: texts by the codes, null where scenes have their own, and lessons, if there is a
+    translation, as records and as the gallery lists them.
     """
+    texts = page(language).texts
     return {
-        code: text
-        for code, text in of_browser(language).items()
-        if (lessons or not code.startswith(TEXTS_OF_LESSONS)) and (not code.startswith(REFUSING) or code in headers)
+        "texts": [texts.get(code) for code in codes],
+        "lessons": {name: lesson_record(shipped_lesson(name, language)) for name in taught},
+        "listed": [each for each in listed(language) if each["name"] in taught],
+    }
+
+
+def _gallery(names: set[str], taught: list[str]) -> dict[str, Any]:
+    """The gallery of these scenes, without the list of lessons; `lacking`: how many of these need a server."""
+    whole = gallery()
+    cards = [[group, [each for each in all_of if each in names]] for group, all_of in whole["cards"]]
+    scenes = [[heading, [each for each in all_of if each[0] in names]] for heading, all_of in whole["scenes"]]
+    return {
+        "sheet": whole["sheet"],
+        "lacking": len(whole["lessons"]) - len(taught),
+        "cards": [each for each in cards if each[1]],
+        "scenes": [each for each in scenes if each[1]],
+        "pictures": {name: picture for name, picture in whole["pictures"].items() if name in names},
     }
 
 
@@ -189,21 +225,6 @@ def script(name: str, content: bytes) -> bytes:
     each = np.pad(bits, (0, -bits.size % LETTER)).reshape(-1, LETTER) @ (1 << np.arange(LETTER)[::-1])
     letters = (FIRST_LETTER + each).astype("<u2").tobytes().decode("utf-16-le")
     return f'\ufeffglobalThis.{name} = [{len(whole)}, "{letters}"];\n'.encode("utf-16-le")
-
-
-def _gallery(names: set[str], lessons: dict[str, Any], language: str) -> dict[str, Any]:
-    """The gallery of these scenes and lessons alone; `lacking`: how many lessons need a server."""
-    whole = gallery(language)
-    listed = [each for each in whole["lessons"] if each["name"] in lessons]
-    cards = [[group, [each for each in all_of if each in names]] for group, all_of in whole["cards"]]
-    scenes = [[heading, [each for each in all_of if each[0] in names]] for heading, all_of in whole["scenes"]]
-    return whole | {
-        "lessons": listed,
-        "lacking": len(whole["lessons"]) - len(listed),
-        "cards": [each for each in cards if each[1]],
-        "scenes": [each for each in scenes if each[1]],
-        "pictures": {name: picture for name, picture in whole["pictures"].items() if name in names},
-    }
 
 
 def _brief(values: np.ndarray) -> tuple[bytes, list[float]]:

@@ -49,7 +49,9 @@ APART = {  # and what has been fetched before, beside all those
 }
 SHEETS = "sheets.css"  # likewise, for the sheets that it names
 IMPORT = re.compile(r"@import '\./([^']+)';\n")
-SPARE = re.compile(r"^\s+|/\*[\s\S]*?\*/\n?|(?<=[;{},])\n", re.MULTILINE)  # of styles: comments, and room between rules
+SPARE = re.compile(  # of styles: comments, and room between rules and in declarations
+    r"^\s+|/\*[\s\S]*?\*/\n?|(?<=[;{},])\n|(?<=\w:) | (?=\{)", re.MULTILINE
+)
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 SCRIPTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 TEXTS = {language: (text, gzip.compress(text, 6, mtime=0)) for language, text in SCRIPTS.items()}
@@ -155,6 +157,8 @@ def text_of(file: Path) -> bytes:
         return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode()
     if file == STATIC / SHEETS:
         return styles()
+    if file.suffix == ".css":
+        return SPARE.sub("", file.read_text("utf-8")).encode()
     name = file.relative_to(STATIC).as_posix() if file.is_relative_to(STATIC) else ""
     return bundle(STATIC, name, beside=(ENTRY, *APART[name])).encode() if name in APART else file.read_bytes()
 

@@ -19,11 +19,11 @@ STOPS = np.array(  # of the colours, as in app/static/charts/styles.js
 )
 
 
-def first_still(texts: Catalogue) -> str:
-    """The still of the scene that the page opens with, as HTML."""
+def first_still(texts: Catalogue | None = None) -> str:
+    """The still of the scene that the page opens with, as HTML; without its title where the language is not known."""
     request = Request.of(Choices().chosen())
     exact = exact_solution(request.scene, request.restitution)
-    title = escape(texts.texts.get(f"scene.{START}.title") or request.scene.title)
+    title = escape(texts.texts.get(f"scene.{START}.title") or request.scene.title) if texts else ""
     return bare_frame(title, stage_of(exact))
 
 

@@ -10,6 +10,7 @@ import pytest
 
 import app
 from app.choices.choices import Choices
+from app.text.asked import asked_in
 from app.text.catalogues import LANGUAGES, command, page, script
 from solvers import LAWS, METHODS
 from solvers.text.catalogue import SOURCE, library
@@ -19,21 +20,14 @@ STATIC = Path(app.__file__).parent / "static"
 SOURCES = "\n".join(path.read_text(encoding="utf-8") for path in sorted(STATIC.rglob("*.js")))
 MODULES = {path: path.read_text(encoding="utf-8") for path in sorted(STATIC.parent.rglob("*.py"))}
 SERVER = "\n".join(source for path, source in MODULES.items() if path.parent.name != "command")
-ASKED = set(re.findall(r"'([a-z][\w-]*(?:\.[\w-]+)+)'", SOURCES)) | {"nothing"}
+ASKED, BEGUN = asked_in(SOURCES)
 ASKED |= set(re.findall(r'"([a-z][\w-]*(?:\.[\w-]+)+)"', SERVER))  # by the server, for the page
-FAMILIES = set(re.findall(r"(?:family|named)\('([\w.-]+)'", SOURCES)) | {"control", "unit", "question"}
-FAMILIES |= set(re.findall(r'texts\.family\("([\w.-]+)"', SERVER))
-BEGINNINGS = set(re.findall(r"`([a-z][\w-]*(?:\.[\w-]+)*\.)\$\{", SOURCES))  # of codes whose end is a value
-BEGINNINGS |= set(re.findall(r'texts\.text\(f"([\w.-]+\.)\{', SERVER))
+BEGUN += ("question.",)  # of what is refused, as app/choices/choices.py names it
+BEGUN += tuple(f"{family}." for family in re.findall(r'texts\.family\("([\w.-]+)"', SERVER))
+BEGUN += tuple(re.findall(r'texts\.text\(f"([\w.-]+\.)\{', SERVER))
 COMMANDED = command(SOURCE).texts.keys() - library(SOURCE).texts.keys()
 UNBROKEN = "\u00a0"
 OWN = {code for code in page(SOURCE).texts if code not in library(SOURCE).texts and not code.startswith("terms.")}
-
-
-def made(code: str) -> bool:
-    """Whether the browser asks for it by a family or by a part of it."""
-    families = {f"name.{family}." for family in FAMILIES} | {f"{family}." for family in FAMILIES}
-    return code.startswith(tuple(families | BEGINNINGS | {"name."}))
 
 
 def test_every_choice_has_a_title():
@@ -56,7 +50,7 @@ def test_what_the_browser_asks_for_is_there():
 
 
 def test_what_is_there_is_asked_for():
-    assert {code for code in OWN if code not in ASKED and not made(code)} == set()
+    assert {code for code in OWN if code not in ASKED and not code.startswith(BEGUN)} == set()
 
 
 def test_the_browser_decides_by_no_name_of_a_law_or_a_method():

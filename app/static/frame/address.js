@@ -1,7 +1,7 @@
 // The address of the page says what is shown, and what is open and asked; of the choices only what differs from the
 // scene's own values.
 import { entriesOf } from '../wire/body_values.js';
-import { alone, carried, framed } from '../browser/home.js';
+import { alone, framed } from '../browser/home.js';
 import { language } from '../text/catalogue.js';
 import { keptText } from './kept.js';
 
@@ -10,7 +10,7 @@ import { keptText } from './kept.js';
 /** @import { Model } from '../wire/model.js' */
 
 /** What an address says of the language, if this one does. */
-const SPOKEN = alone && !carried && new URLSearchParams(location.search).has('language') ? language : '';
+const SPOKEN = alone && new URLSearchParams(location.search).has('language') ? language : '';
 const PASSING = ['t', 'playing', 'tab']; // of what is seen, which a link for a class does not say
 const PLAIN = { '%2C': ',', '%3A': ':', '%3B': ';' }; // what a query need not encode
 

@@ -1,6 +1,8 @@
-// The languages of the page: the server has chosen this one, by the address, the switch, or what the browser accepts.
+// The languages of the page: the server has chosen this one, by the address, the switch, or what the browser accepts;
+// where there is none, offline/start.js.
 import { alone, carried } from '../browser/home.js';
 import { make } from '../browser/dom.js';
+import { keep } from '../browser/store.js';
 import { others } from '../text/catalogue.js';
 import { addressOf, queryOf } from './address.js';
 
@@ -20,10 +22,12 @@ export function languagesOf(page) {
     found.title = name;
     found.ariaLabel = name;
     found.onclick = () => {
-      document.cookie = `${KEPT}=${code}; max-age=${YEAR}; samesite=lax`;
+      if (carried)
+        keep('language', code); // the disk has no cookies
+      else document.cookie = `${KEPT}=${code}; max-age=${YEAR}; samesite=lax`;
       window.location.assign(addressOf(queryOf(page, true, code)));
     };
     return found;
   };
-  return alone && !carried ? Object.entries(others).map(button) : [];
+  return alone ? Object.entries(others).map(button) : [];
 }

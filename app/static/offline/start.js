@@ -28,12 +28,7 @@ const unpacked = async ([size, letters]) => {
  */
 const scenesOf = async (whole) => {
   let at = 4 + new DataView(whole).getUint32(0, true);
-  const {
-    messages: packs,
-    sizes,
-    texts,
-    ...head
-  } = JSON.parse(new TextDecoder().decode(new Uint8Array(whole, 4, at - 4)));
+  const { messages: packs, sizes, ...head } = JSON.parse(new TextDecoder().decode(new Uint8Array(whole, 4, at - 4)));
   const cut = (/** @type {number} */ size) => {
     at += size;
     return new Uint8Array(whole, at - size, size);
@@ -44,22 +39,56 @@ const scenesOf = async (whole) => {
     const begins = new Uint8Array(new Uint32Array([size]).buffer);
     return new Blob([begins, headers[k], ...numbers.map((n) => arrays[n])]).arrayBuffer();
   });
-  return { texts, carried: /** @type {Carried} */ ({ ...head, messages: await Promise.all(messages) }) };
+  return { ...head, messages: await Promise.all(messages) };
 };
+
+/** @type {{ languages: Record<string, { direction: string, name: string, lost: string }> }} */
+const { languages } = JSON.parse(document.getElementById('session')?.textContent ?? '{}');
+
+/** What the switch has kept: as app/static/frame/language.js does. */
+const chosen = () => {
+  try {
+    return JSON.parse(window.localStorage.getItem('strikewave.language') ?? '""');
+  } catch {
+    return ''; // where nothing may be kept
+  }
+};
+
+/** The one that the address asks for, else that of the switch, else of the browser: as app/serving/language.py. */
+const languageOf = () => {
+  const one = new URLSearchParams(window.location.search).getAll('language').at(-1) || chosen();
+  const wanted = (one ? [String(one)] : navigator.languages).flatMap((tag) => [tag, tag.split('-')[0]]);
+  const found = wanted.map((tag) => Object.keys(languages).find((each) => each.toLowerCase() === tag.toLowerCase()));
+  return found.find(Boolean) ?? document.documentElement.lang;
+};
+
+const language = languageOf();
+document.documentElement.lang = language;
+document.documentElement.dir = languages[language].direction;
 
 const begin = async () => {
   const all = /** @type {any} */ (window);
-  const { carried, texts } = await scenesOf(await unpacked(all.strikewavePacked));
+  const { codes, said, ...carried } = await scenesOf(await unpacked(all.strikewavePacked));
+  const { lessons, listed, texts } = said[language];
+  const pairs = codes.map((/** @type {string} */ code, /** @type {number} */ k) => [code, texts[k]]);
+  const others = Object.entries(languages).flatMap(([code, { name }]) => (code === language ? [] : [[code, name]]));
+  all.strikewaveTexts = {
+    language,
+    others: Object.fromEntries(others),
+    texts: Object.fromEntries(pairs.filter((/** @type {[string, string | null]} */ [, text]) => text !== null)),
+  };
+  document.title = all.strikewaveTexts.texts['document.title'];
   const module = () => unpacked(all.strikewaveKernels);
-  Object.assign(all, { strikewaveTexts: texts, strikewaveCarried: { ...carried, module }, strikewavePanels: [] });
+  const gallery = { ...carried.gallery, lessons: listed };
+  all.strikewaveCarried = /** @type {Carried} */ ({ ...carried, gallery, lessons, module });
+  all.strikewavePanels = [];
   await all.strikewavePage();
 };
 
 const say = (/** @type {unknown} */ error) => {
-  const { lost } = JSON.parse(document.getElementById('session')?.textContent ?? '{}');
   const { strikewaveTexts } = /** @type {any} */ (window);
   const code = error instanceof Error ? error.message : '';
-  const textContent = strikewaveTexts?.texts[code] ?? lost;
+  const textContent = strikewaveTexts?.texts[code] ?? languages[language].lost;
   const closed = Object.assign(document.createElement('p'), { className: 'closed', textContent });
   document.getElementById('still')?.remove();
   document.getElementById('lab')?.replaceChildren(closed);

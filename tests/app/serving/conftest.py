@@ -19,16 +19,18 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 @pytest.fixture
 def opened(browser, folder):
-    """Open the folder from the disk, or at another address, with what the page asked for and what went wrong."""
+    """Open the folder from the disk, or at another address, with what the page asked for and what went wrong; `before`:
+    a script that runs first."""
     contexts = []
 
-    def open_one(query: str = "", base: str = "", script: str = SHOWN, **options):
+    def open_one(query: str = "", base: str = "", script: str = SHOWN, before: str = "", **options):
         contexts.append(browser.new_context(**{"reduced_motion": "reduce"} | options))
         tab = contexts[-1].new_page()
         tab.asked, tab.errors = [], []
         tab.on("request", lambda request: tab.asked.append(request.url))
         tab.on("pageerror", lambda error: tab.errors.append(str(error)))
         tab.on("console", lambda line: line.type == "error" and tab.errors.append(line.text))
+        tab.add_init_script(before)
         tab.goto((base or folder.as_uri()) + "/index.html" + query)
         tab.wait_for_function(script, timeout=SECONDS)
         return tab

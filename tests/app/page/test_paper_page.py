@@ -1,0 +1,43 @@
+"""A lesson on paper: no step is cut where a sheet has room for it, and no analysis lies over another part of it."""
+
+import math
+import re
+
+import pytest
+
+from .test_own_lesson_page import LESSON, ready
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+WIDE = 794  # pixels of a sheet
+TALLER = 1.1  # than the tallest step a sheet is
+
+
+def test_no_step_is_cut_where_a_sheet_has_room_for_it(open_page):
+    page = open_page(LESSON, size=(WIDE, 1123))
+    ready(page)
+    page.tab.pdf()  # which fills the paper
+    page.tab.emulate_media(media="print")
+    ends = page.tab.locator(".lesson-print > section").evaluate_all(
+        "all => all.map((each) => [each.offsetTop, each.offsetTop + each.offsetHeight])"
+    )
+    sheet = round(TALLER * max(bottom - top for top, bottom in ends))
+    count, begins = 1, 0.0
+    for top, bottom in ends:
+        if bottom - begins > sheet:
+            count, begins = count + 1, top
+    assert count > math.ceil(ends[-1][1] / sheet)  # else it could not be told from steps that are cut
+    printed = page.tab.pdf(width=f"{WIDE}px", height=f"{sheet}px")
+    assert len(re.findall(rb"/Type\s*/Page\b", printed)) == count
+
+
+def test_figures_of_an_analysis_stand_one_below_the_other_and_end_where_it_does(open_page):
+    page = open_page("?lesson=modes-against-waves", size=(1280, 800))
+    ready(page)
+    figures = page.tab.locator(".lesson-charts .figures")
+    figures.locator(".bk-Figure").nth(1).wait_for()
+    parts = figures.locator(".figure").all()
+    boxes = [part.bounding_box() for part in (figures, *parts)]
+    whole, first, second = ((box["y"], box["y"] + box["height"]) for box in boxes)
+    assert first[1] <= second[0] + 1 and second[1] <= whole[1] + 1
+    assert second[0] - first[0] < 400  # no gap between them
