@@ -108,6 +108,7 @@ def export(folder: Path, laboratory: str, language: str, lessons: bool = False) 
         "scenes.js": _scenes(names, laboratory, language, taught),
         "page.js": function(STATIC, entries, "strikewavePage", WITHOUT).encode(),
         "start.js": text_of(STATIC / "offline/start.js"),
+        "widget.js": text_of(STATIC / "offline/widget.js"),
         SHEETS: styles(UNUSED),
         **{name: text_of(STATIC / name) for name in sheets},
     }
