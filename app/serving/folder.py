@@ -113,6 +113,7 @@ def export(folder: Path, laboratory: str, lessons: bool = False) -> Exported:
         "scenes.js": _scenes(names, laboratory, taught, scripts + start),
         "page.js": scripts.encode(),
         "start.js": start.encode(),
+        "widget.js": shorter((STATIC / "offline/widget.js").read_text("utf-8")).encode(),
         SHEETS: styles(UNUSED),
         **{name: text_of(STATIC / name) for name in sheets},
     }
