@@ -159,9 +159,9 @@ def answer(
     """March an impact at a speed of one of a mass on one at rest, follow it by itself, and write what is drawn.
 
     law: with `mean` and `unloading`; asked: `waves.laws.law_function`; of_law: its constants, and whether it is lossy;
-    sort, path: `Sort` and `Path`; masses: of both, or infinity; trip: the time unit; sudden, limits: as in `modal_drawn.answer_of_beam`; room:
-    `modal_drawn.March` of one oscillator, which stays still; cycle: `modal_drawn.Bent`, of which the depths are
-    written; course: `Collision`, room for it; figures: `modal_drawn.COLUMNS`; out (COLUMNS,). Returns SOLVED or
+    sort, path: `Sort` and `Path`; masses: of both, or infinity; trip: the time unit; sudden, limits: as in
+    `modal_drawn.answer_of_beam`; room: `modal_drawn.March` of one oscillator, which stays still; cycle:
+    `modal_drawn.Bent`, of which the depths are written; course: `Collision`, room for it; figures: `modal_drawn.COLUMNS`; out (COLUMNS,). Returns SOLVED or
     NO_ROOM.
     """
     kept, reduced, stride = refer(room), 1.0 / (1.0 / masses[0] + 1.0 / masses[1]), room.record.contact_force.size

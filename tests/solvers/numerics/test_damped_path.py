@@ -32,7 +32,7 @@ def test_without_damping_it_is_a_power_of_the_indentation(exponent):
 
 @pytest.mark.parametrize("number", [1e-6, 0.1, 1.0, 10.0])
 def test_hunt_crossley_loses_its_first_integral(number):
-    """K a^(5/2) = (5/2) m (c w - ln(1 + c w)) / c^2 between two rates w: the deepest from v, and the rate at parting."""
+    """0.4 K a^(5/2) and m (c w - ln(1 + c w)) / c^2 are one sum at all rates w: from v to rest, and to the parting."""
     mass, speed, damping = 0.7, 3.0, number / 3.0
     found = follow(HuntCrossley(STIFFNESS, damping), mass, speed)
     used = mass * (number - math.log1p(number)) / damping**2
