@@ -161,8 +161,8 @@ def answer(
     law: with `mean` and `unloading`; asked: `waves.laws.law_function`; of_law: its constants, and whether it is lossy;
     sort, path: `Sort` and `Path`; masses: of both, or infinity; trip: the time unit; sudden, limits: as in
     `modal_drawn.answer_of_beam`; room: `modal_drawn.March` of one oscillator, which stays still; cycle:
-    `modal_drawn.Bent`, of which the depths are written; course: `Collision`, room for it; figures: `modal_drawn.COLUMNS`; out (COLUMNS,). Returns SOLVED or
-    NO_ROOM.
+    `modal_drawn.Bent`, of which the depths are written; course: `Collision`, room for it; figures:
+    `modal_drawn.COLUMNS`; out (COLUMNS,). Returns SOLVED or NO_ROOM.
     """
     kept, reduced, stride = refer(room), 1.0 / (1.0 / masses[0] + 1.0 / masses[1]), room.record.contact_force.size
     frequencies, at_contact, damping = modes
