@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from solvers import LAWS, Balance, Modal, QuasiStatic, Rod, Scene, SceneError, Solution, Waves
 from solvers.bodies import RigidMass, SpringMass, Wall
-from solvers.contact import Hertz, Power, Rigid
+from solvers.contact import Hertz, Rigid
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.damping import OF_KERNELS
 from solvers.contact.duration import exponent_of
@@ -55,9 +55,8 @@ def laws_of_a_rod(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any
 
 
 def laws_of_compact_bodies(scene: Scene, chosen: Mapping[str, Any], other: Solution | None) -> list[dict[str, Any]]:
-    """`law_fields` of a mass on one at rest or on a wall, by laws that have a closed form or a dent, in s, kg and the
-    speed; none for others, nor for a spring, whose contact takes a whole number of steps: rounding decides whether one
-    more.
+    """`law_fields` of a mass on one at rest or on a wall, by laws that are no spring, in s, kg and the speed; none for
+    others. The contact of a spring takes a whole number of steps: rounding decides whether one more.
     """
     target, known = scene.target, own_options(scene, QuasiStatic.NAME).keys() <= {"model"}
     if not isinstance(scene.impactor, RigidMass) or not isinstance(target, (RigidMass, Wall)) or target.velocity:
@@ -65,8 +64,8 @@ def laws_of_compact_bodies(scene: Scene, chosen: Mapping[str, Any], other: Solut
     if chosen["method"] != QuasiStatic.NAME or not known or other is None or "duration" in scene.method:
         return []
     sine = other.method["model"] == SINE
-    closed = {Hertz.NAME} if sine else {Hertz.NAME, Power.NAME, *(law.NAME for law in LAWS.values() if law.PLASTIC)}
-    if scene.contact.NAME not in closed:
+    closed = {Hertz.NAME} if sine else LAWS.keys()
+    if scene.contact.NAME not in closed or exponent_of(scene.contact) == 1.0:
         return []
     found = law_fields(scene, chosen, Units(1.0, 1.0))
     return [law for law in found if law["name"] in closed and law["exponent"] != 1.0]

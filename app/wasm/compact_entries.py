@@ -5,13 +5,13 @@ from numba import carray
 
 from solvers.contact.duration import half_swing
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
-from solvers.numerics import compact_drawn, modal_drawn, path_collision
+from solvers.numerics import compact_drawn, damped_path, modal_drawn, path_collision
 from solvers.numerics.closed_collisions import Collision
 from solvers.numerics.law_functions import CONSTANTS
 from solvers.numerics.single_degree import SAMPLES
 from solvers.numerics.waves.laws import FORCE
 
-from .entry import ANY_LAW, CYCLE, DEPTHS, INSTANTS, INTEGERS, JUMPING, REMEMBERS, SPARE, Entry
+from .entry import ANY_LAW, CYCLE, DEPTHS, INSTANTS, INTEGERS, JUMPING, LOSES, REMEMBERS, SPARE, Entry
 from .modal_entries import BY_STEPS, AnyStepped, march_room, room_of
 
 CONTACTS, STEPS = 4, 2_000
@@ -47,9 +47,9 @@ def compact(
         pressed[2], curve[0], curve[1],
     )  # fmt: skip
     followed = Collision(h[0][:n], h[1][:n], h[2][:n], h[3][:n], h[4][:n], h[5][:n], h[6][:n])
-    path = compact_drawn.Path(carray(cell, (2, path_collision.STAGES)), carray(edges, (EDGES,)))
+    path = compact_drawn.Path(carray(cell, (damped_path.ROWS, damped_path.STAGES)), carray(edges, (EDGES,)))
     return compact_drawn.answer(
-        AnyStepped(number, c[0], c[1], c[2], c[3], c[4], c[5]), ANY_LAW, c,
+        AnyStepped(number, c[0], c[1], c[2], c[3], c[4], c[5]), ANY_LAW, (c, LOSES[number]),
         compact_drawn.Sort(int(kind), exponent, c[0], SAMPLES + 1),
         (mass, whole), trip, (JUMPING[number], REMEMBERS[number]), (MAX_ROUND_TRIPS, AFTERGLOW), (s[0], s[1], s[2]),
         room, carray(contacts, (CONTACTS, modal_drawn.CONTACT_COLUMNS)), bent, path, followed, drawn,
@@ -74,7 +74,7 @@ COMPACT_ENTRIES = {
             "otherTime": COURSE + 1,
             "otherForce": COURSE + 1,
             "course": 8 * (COURSE + 1),
-            "cell": 2 * path_collision.STAGES,
+            "cell": damped_path.ROWS * damped_path.STAGES,
             "edges": EDGES,
             "cycle": 3 * CYCLE,
             "lawCycle": 2 * DEPTHS,

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 
 from solvers import Balance, Beam, Modal, QuasiStatic, RigidMass, Rod, Scene, Waves, usual_method
 from solvers.bodies import SpringMass, Wall, Waveguide
-from solvers.contact import Hertz, Power, Rigid
+from solvers.contact import Rigid
 from solvers.contact.duration import exponent_of
 from solvers.numerics.balance_drawn import MOST_LOCATED, MOST_MODES
 from solvers.numerics.waves.chain_drawn import MOST_RODS
@@ -92,13 +92,12 @@ def _on_beam(scene: Scene) -> bool:
 
 
 def _compact(scene: Scene) -> bool:
-    """A mass on one at rest or on a wall, by a law with a closed form or a dent."""
+    """A mass on one at rest or on a wall, by any law but a spring."""
     target, method = scene.target, scene.method
     if not _mass_strikes(scene) or not isinstance(target, (RigidMass, Wall)) or target.velocity:
         return False
     closed = method.get("name", usual_method(scene)) == QuasiStatic.NAME and method.keys() <= {"name", "model"}
-    known = isinstance(scene.contact, (Hertz, Power)) or scene.contact.PLASTIC
-    return closed and known and exponent_of(scene.contact) != 1.0
+    return closed and exponent_of(scene.contact) != 1.0
 
 
 ANSWERED_BY: dict[str, Callable[[Scene], bool]] = {  # by entry, as in `entries.ENTRIES`

@@ -17,7 +17,8 @@ def exponent_of(law: Law) -> float:
     return law.exponent if isinstance(law, OfPower) else 1.0
 
 
-@lru_cache(maxsize=256)  # the unit of time of a scene is asked for often
+# The unit of time of a scene is asked for often. Of several laws: with the same constants they are equal as tuples.
+@lru_cache(maxsize=256, typed=True)
 def contact_time(law: Law, mass: float, speed: float) -> float:
     """About how long two compact bodies of this reduced mass [kg] touch [s]: half a swing on the secant stiffness."""
     if isinstance(law, Rigid):

@@ -10,12 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from . import damped_path
 from .closed_collisions import Collision, follow_power, follow_sine
 from .law_functions import constants_of
 from .path_collision import STAGES, STRETCHES, follow_path, instants, stretches
 from .waves.laws import law_function
-
-SUBSTEPS = 6  # kept of each step of a differential equation
 
 
 def duration_of_power(exponent: float) -> float:
@@ -52,34 +51,13 @@ def path_collision(law: Any, mass: float, speed: float) -> Collision:
 
 
 def damped_collision(law: Any, mass: float, speed: float, unit: float) -> Collision:
-    """Any law with damping, as one ordinary differential equation of high order; `unit` [s]: about a contact time.
+    """Any law with damping, by `damped_path.follow_damped`; `unit` [s]: about a contact time.
 
-    Error: 1e-11 of the speed. The contact lasts as long as it presses; what creeps back without a force is flight.
+    Error: 1e-11 of the speed.
     """
-    from scipy.integrate import solve_ivp
-
-    def motion(_, state):
-        a, rate, _ = state
-        force = law.force(a * speed * unit, rate * speed, 0.0) * unit / (mass * speed)
-        return rate, -force, force * rate
-
-    def opens(_, state):
-        return state[0]
-
-    opens.terminal, opens.direction = True, -1.0
-    found = solve_ivp(
-        motion, (0.0, 1e4), (0.0, 1.0, 0.0), "DOP853", events=opens, rtol=1e-12, atol=1e-14, dense_output=True
-    )
-    parts = np.linspace(0.0, 1.0, SUBSTEPS, endpoint=False)
-    time = np.append((found.t[:-1, None] + np.diff(found.t)[:, None] * parts).ravel(), found.t[-1])
-    a, rate, work = found.sol(time)
-    a[0], a[-1] = 0.0, max(a[-1], 0.0) if found.status == 0 else 0.0
-    a, rate, work = a * speed * unit, rate * speed, work * mass * speed**2
-    force = np.array([law.force(depth, fast, 0.0) for depth, fast in zip(a, rate, strict=True)])
-    stored = np.array([law.stored(depth, 0.0) for depth in a])
-    last = int(np.flatnonzero(force > 0.0)[-1]) + 1
-    force[last], stored[last] = 0.0, 0.0  # what is stored in a surface too slow to press is lost
-    return Collision(*(
-        values[: last + 1]
-        for values in (time * unit, a, rate, force, mass * (speed - rate), stored, np.maximum(work - stored, 0.0))
-    ))  # fmt: skip
+    ask, constants, slopes = law_function(type(law)), constants_of([law])[0], np.empty(2)
+    cell, room, count = np.empty((damped_path.ROWS, damped_path.STAGES)), damped_path.USUAL, -1
+    while count < 0:
+        found, room = Collision.of(room), 2 * room
+        count = damped_path.follow_damped(ask, constants, slopes, mass, speed, unit, cell, found)
+    return Collision(*(values[:count] for values in found))

@@ -13,6 +13,7 @@ from ..jit.reference import refer
 from . import modal_contacts, modal_drawn
 from .balance_histories import between
 from .closed_collisions import Collision, follow_power, follow_sine
+from .damped_path import follow_damped
 from .modal_steps import usual_step
 from .oscillators import residual_spring, set_bank
 from .path_collision import follow_path, instants, stretches
@@ -26,7 +27,8 @@ LOCAL, DISSIPATED, DEEPEST, DENT_LEFT, CONTACTS, TOUCHES, HIGHEST = range(8, 15)
 BESIDE = 15  # IMPULSE and so on of that, and how many instants it has
 PUSHED, LEFT, GONE, PARTED, HELD, LOST, DEPTH, DENTED, END, PEAK, POINTS = range(BESIDE, BESIDE + 11)
 COLUMNS = BESIDE + 11
-POWER, SINE, PATH = range(3)  # what stands beside: a power of the indentation, the half sine, work integrals
+# what stands beside: a power of the indentation, the half sine, work integrals, the path of a law with damping
+POWER, SINE, PATH, DAMPED = range(4)
 WEAK = 1e-30  # amplitude of the one oscillator that a march cannot do without
 
 
@@ -54,9 +56,9 @@ class Sort(NamedTuple):
 
 
 class Path(NamedTuple):
-    """Room for work integrals."""
+    """Room for work integrals, and for a damped path."""
 
-    cell: np.ndarray  # (2, path_collision.STAGES)
+    cell: np.ndarray  # (damped_path.ROWS, STAGES) of either
     edges: np.ndarray  # (path_collision.STRETCHES + 1,)
 
 
@@ -103,10 +105,12 @@ def _cut(course, size):
 
 
 @inner_kernel
-def _followed(law, reduced, sort, path, course):
+def _followed(law, reduced, trip, sort, path, course):
     """Follow the contact by itself; law: `asked`, constants and room for slopes. At how many instants; -1: no room."""
+    asked, constants, slopes = law
+    if sort.kind == DAMPED:
+        return follow_damped(asked, constants, slopes, reduced, 1.0, trip, path.cell, course)
     if sort.kind == PATH:
-        asked, constants, slopes = law
         count = stretches(asked, constants, slopes, 0.5 * reduced, path.cell, path.edges)
         if count < 1 or instants(count) > course.time.size:
             return -1
@@ -149,16 +153,16 @@ def _beside(masses, trip, duration, course, drawn, out):
 
 @kernel
 def answer(
-    law, asked, constants, sort, masses, trip, sudden, limits, modes, room, contacts, cycle, path, course, drawn,
+    law, asked, of_law, sort, masses, trip, sudden, limits, modes, room, contacts, cycle, path, course, drawn,
     figures, out,
 ):  # fmt: skip
     """March an impact at a speed of one of a mass on one at rest, follow it by itself, and write what is drawn.
 
-    law: with `mean` and `unloading`, without damping; asked: `waves.laws.law_function`; sort, path: `Sort` and `Path`;
-    masses: of both, or infinity; trip: the time unit; sudden, limits: as in `modal_drawn.answer_of_beam`; room:
-    `modal_drawn.March` of one oscillator, which stays still; cycle: `modal_drawn.Bent`, of which the depths are
-    written; course: `Collision`, room for it; figures: `modal_drawn.COLUMNS`; out (COLUMNS,). Returns SOLVED or
-    NO_ROOM.
+    law: with `mean` and `unloading`; asked: `waves.laws.law_function`; of_law: its constants, and whether it is lossy;
+    sort, path: `Sort` and `Path`; masses: of both, or infinity; trip: the time unit; sudden, limits: as in
+    `modal_drawn.answer_of_beam`; room: `modal_drawn.March` of one oscillator, which stays still; cycle:
+    `modal_drawn.Bent`, of which the depths are written; course: `Collision`, room for it; figures:
+    `modal_drawn.COLUMNS`; out (COLUMNS,). Returns SOLVED or NO_ROOM.
     """
     kept, reduced, stride = refer(room), 1.0 / (1.0 / masses[0] + 1.0 / masses[1]), room.record.contact_force.size
     frequencies, at_contact, damping = modes
@@ -172,11 +176,12 @@ def answer(
     steps, parted = modal_drawn.followed(law, residual, bodies, modes, step, stride, kept, most, limits[1] * trip)
     if steps < 1:
         return NO_ROOM
-    record, of_law = refer(modal_drawn.cut(kept.record, steps)), (constants, no, no)
+    record, (constants, lossy) = refer(modal_drawn.cut(kept.record, steps)), of_law
     status = modal_drawn.figures(
-        asked, of_law, residual, bodies, modes, step, stride, record, kept, yes, parted, contacts, figures
-    )
-    if status != SOLVED or not parted:
+        asked, (constants, lossy, no), residual, bodies, modes, step, stride, record, kept, yes, parted, contacts,
+        figures,
+    )  # fmt: skip
+    if status != SOLVED or not parted or figures[modal_drawn.CONTACTS] > 1.0:  # they touch once: more is rounding
         return NO_ROOM
     until = min(step * steps, BEYOND * contacts[int(figures[modal_drawn.CONTACTS]) - 1, modal_contacts.END])
     deepest = figures[modal_drawn.DEEPEST]
@@ -184,7 +189,7 @@ def answer(
     out[TRIP], out[DURATION], out[STEPS] = trip, step * steps / trip, steps
     _histories(record, step, trip, reduced, drawn)
     _figures(masses, contacts, trip, figures, out)
-    size = _followed((asked, constants, kept.slopes), reduced, sort, path, course)
+    size = _followed((asked, constants, kept.slopes), reduced, trip, sort, path, course)
     if size < 1:
         return NO_ROOM
     _beside(masses, trip, step * steps, _cut(course, size), drawn, out)

@@ -6,7 +6,7 @@ import { DASHPOTS, LAWS, ROOM } from './room.js';
 const CONTACT = { rod: 7, law: 5, modes: 5 };
 const ALONE = 50; // modes that a step of a march takes as long as, without any
 const MODES = { own: 0, stiff: 1, given: 2 }; // as in app/wasm/modal_entries.py
-const BESIDE = { power: 0, sine: 1, path: 2 }; // of two compact bodies: as in solvers/numerics/compact_drawn.py
+const BESIDE = { power: 0, sine: 1, path: 2, damped: 3 }; // two compact bodies: solvers/numerics/compact_drawn.py
 
 // of a beam: as in solvers/numerics/modal_drawn.py
 const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactorRate', 'struckRate']);
@@ -222,8 +222,8 @@ export class Kernels extends Memory {
   compact(mass, whole, law, sine) {
     if (!this.roomFor('compact')) return null;
     this.#give('compact', law);
-    const kind = law.yields ? BESIDE.path : sine ? BESIDE.sine : BESIDE.power;
-    const called = this.call('compact', mass, whole, law.exponent, kind);
+    const undamped = law.yields ? BESIDE.path : sine ? BESIDE.sine : BESIDE.power;
+    const called = this.call('compact', mass, whole, law.exponent, law.damps ? BESIDE.damped : undamped);
     if (!called) return null;
     const { figures, read } = called;
     const { compressing, contacts, deepest, dent, dented, depth, end, gone, left, lost } = figures;

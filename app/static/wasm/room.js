@@ -104,7 +104,7 @@ export const ROOM = {
     otherTime: 1402,
     otherForce: 1402,
     course: 11216,
-    cell: 12,
+    cell: 18,
     edges: 13,
     cycle: 900,
     lawCycle: 120,

@@ -42,6 +42,10 @@ STATE = """() => {
         ("?scene=figure-7.4", "speed", [0.2]),
         ("?scene=figure-7.5", "speed", [0.02, 3.0]),
         ("?scene=table-7.1", "hertz_stiffness", [3e9]),
+        ("?scene=figure-3.3", "mass_ratio", [0.4]),
+        ("?scene=figure-7.2", "speed", [0.3]),
+        ("?scene=two-balls", "law", ["lankarani-nikravesh"]),
+        ("?scene=two-balls&law=hunt-crossley", "restitution", [0.4, 1.0]),
     ],
 )
 def test_they_are_answered_as_the_server_does(open_page, query, name, values):
