@@ -39,7 +39,6 @@ class March(NamedTuple):
     impulses: np.ndarray
     runs: np.ndarray  # (steps // 2 + 1, 2) of integers
     slopes: np.ndarray  # (2,), for a law
-    marched: np.ndarray  # (1,), written: how many steps, also where there is no room for the next ones
 
 
 class Bent(NamedTuple):
@@ -158,7 +157,6 @@ def _march(law, residual, bodies, step, stride, room, begin, end):
     march_in_place(
         law, residual, bodies[0], bodies[1], 0.0, 0.0, step, bank, *turning, *oscillators, stride, begin, end, record
     )
-    room.marched[0] = end
 
 
 @kernel
