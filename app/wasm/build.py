@@ -32,10 +32,7 @@ STACK = "-Wl,-z,stack-size=262144"  # bytes, instead of 16 MB; it lies first, so
 LINKER = ("-target", "wasm32-wasi", "-mexec-model=reactor", "-nostartfiles", "-O2", "-lm", STACK)
 NO_COUNTING = ("NRT_incref", "NRT_decref")  # of references: all arrays are borrowed
 CLOCK = "5clock10check_timeB"  # in the name of `solvers.jit.clock.check_time`
-# In that of a function which asks, too, though its source does not: its march would fuse other products and sums, and
-# the last bit of results elsewhere be another.
-MARCH = "11oscillators9_check_inB"
-ASKED = "  call void @check_time()"
+ASKED = ("  call void @check_time()", "  ret i32 0", "}")
 IMPORTED = """declare void @check_time() nounwind memory(inaccessiblemem: readwrite)
   "wasm-import-module"="strikewave" "wasm-import-name"="check_time"
 """  # what it returns to goes on as if nothing were asked
@@ -88,12 +85,12 @@ def _object() -> bytes:
 
 def _rewritten(lines: list[str], machine_of: dict[str, str]) -> Iterator[str]:
     """The code for another machine, without what counts references, and with a clock."""
-    within = marches = False
+    within = False
     for line in lines:
         counts = any(f"@{name}(" in line for name in NO_COUNTING)
         asks = CLOCK in line and line.startswith("define ")
         if asks:
-            yield from (line, ASKED, "  ret i32 0", "}")
+            yield from (line, *ASKED)
         within = within or asks or (counts and line.startswith("define "))
         if not within and not (counts and line.startswith("declare ")):
             word, _, rest = line.removeprefix("target ").partition(" = ")
@@ -102,9 +99,6 @@ def _rewritten(lines: list[str], machine_of: dict[str, str]) -> Iterator[str]:
                 if rest and line.startswith("target ") and word in machine_of
                 else line
             )
-        marches = MARCH in line if line.startswith("define ") else marches
-        if marches and line == "entry:":
-            yield ASKED
         within = within and line != "}"
 
 

@@ -10,7 +10,7 @@ import * as sprung from './sprung.js';
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
 
-const LONGEST = 40; // ms for an answer, at every picture: with all that is done besides, no more than 50
+const LONGEST = 35; // ms for an answer, at every picture: with all that is done besides, no more than 50
 const REST = 5000; // ms without an answer, after which memory is given back
 
 /**
