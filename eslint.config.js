@@ -40,7 +40,13 @@ export default [
   {
     files: ['tests/js/**/*.js'],
     languageOptions: {
-      globals: { Buffer: 'readonly', Event: 'readonly', EventTarget: 'readonly', TextEncoder: 'readonly' },
+      globals: {
+        Buffer: 'readonly',
+        Event: 'readonly',
+        EventTarget: 'readonly',
+        performance: 'readonly',
+        TextEncoder: 'readonly',
+      },
     },
   },
   { files: ['tests/**/*.mjs'], languageOptions: { globals: { console: 'readonly', process: 'readonly' } } },

@@ -16,7 +16,7 @@ from solvers.numerics.waves.record import POINTS as NODES
 from solvers.numerics.waves.record import QUANTITIES, Record
 
 from .entry import ANY_LAW, FLAGS, INSTANTS, INTEGERS, SPRING, Entry
-from .wave_entries import BY_STRETCHES, count_stretches
+from .wave_entries import record_room
 
 MOST_RODS = chain_drawn.MOST_RODS
 MOST_NODES = MOST_RODS + 1
@@ -27,17 +27,16 @@ CONTACTS, GAPS = 64, 64
 
 
 def chain(
-    rods, contact, mass, end, asked, room_for, links, knots, beside, nodes, counts, flags, constants, rows, nothing,
-    pressing, done, jumps, wave_time, wave, sent, force_time, force, impactor, face, whole, contacts, gaps, out,
-    start, values, closed, breaks,
+    rods, contact, mass, end, asked, links, knots, beside, nodes, counts, flags, constants, rows, nothing, pressing,
+    jumps, wave_time, wave, sent, force_time, force, impactor, face, whole, contacts, gaps, out, start, values,
+    closed, breaks,
 ):  # fmt: skip
     """`solvers.numerics.waves.chain_drawn.answer`; rigid faces.
 
     rods, contact: how many, and how many of these strike; mass, end: of a mass that strikes, and on the far end; asked:
-    for how long, or 0: until they have parted for good; room_for: stretches of each node; links,
-    knots: as `chain_drawn.place` takes them.
+    for how long, or 0: until they have parted for good; links, knots: as `chain_drawn.place` takes them.
     """
-    n, stretches = int(rods), int(room_for)
+    n = int(rods)
     if n > MOST_RODS:
         return NO_ROOM
     k = n + 1
@@ -48,14 +47,14 @@ def chain(
     r, pulse = carray(rows, (8 + STAGES, NODES)), carray(nothing, (1, 2 + NODES))
     laws = carray(constants, (k, CONSTANTS + 1))
     record = Record(
-        carray(start, (k, stretches + 1)),
-        carray(values, (k, stretches, QUANTITIES, NODES)),
-        carray(closed, (k, stretches)),
+        carray(start, (k, STRETCHES + 1)),
+        carray(values, (k, STRETCHES, QUANTITIES, NODES)),
+        carray(closed, (k, STRETCHES)),
         c[1],
     )
     state = State(
         f[0], f[1], f[2], f[3], f[4], f[5], f[6], yes[2], yes[3], yes[4], c[2], c[3],
-        carray(breaks, (k, stretches)), c[4], c[5], yes[5], b[7], b[8][:1],
+        carray(breaks, (k, STRETCHES)), c[4], c[5], yes[5], b[7], b[8][:1],
     )  # fmt: skip
     for node in range(k):
         for i in range(CONSTANTS):
@@ -69,20 +68,18 @@ def chain(
         carray(jumps, (JUMPS,)), carray(wave_time, (SENT,)), carray(wave, (SENT,)), carray(force_time, (FORCES,)),
         carray(force, (FORCES,)), carray(impactor, (INSTANTS,)), carray(face, (INSTANTS,)), carray(whole, (INSTANTS,)),
     )  # fmt: skip
-    status = chain_drawn.answer(
+    return chain_drawn.answer(
         struck, record, state, work, ANY_LAW, (laws, yes[0], yes[1], pulse, b[6]),
         (RIGID_TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, asked), carray(pressing, (CONTACTS, 2)),
         carray(contacts, (CONTACTS, CONTACT_COLUMNS)), carray(gaps, (GAPS, chain_drawn.GAP_COLUMNS)),
         carray(sent, (2 * n + 1,)), drawn, carray(out, (chain_drawn.COLUMNS,)),
     )  # fmt: skip
-    count_stretches(record, done)
-    return status
 
 
 CHAIN_ENTRIES = {
     "chain": Entry(
         chain,
-        6,
+        5,
         {
             "links": 3 * MOST_RODS,
             "knots": 2 * MOST_NODES,
@@ -94,7 +91,6 @@ CHAIN_ENTRIES = {
             "rows": (8 + STAGES) * NODES,
             "nothing": 2 + NODES,
             "pressing": 2 * CONTACTS,
-            "done": 1,
             "jumps": JUMPS,
             "waveTime": SENT,
             "wave": SENT,
@@ -107,6 +103,7 @@ CHAIN_ENTRIES = {
             "contacts": CONTACT_COLUMNS * CONTACTS,
             "gaps": chain_drawn.GAP_COLUMNS * GAPS,
             "out": chain_drawn.COLUMNS,
+            **record_room(MOST_NODES, STRETCHES),
         },
         {"counts": INTEGERS, "pressing": INTEGERS, "flags": FLAGS, "closed": FLAGS},
         {
@@ -126,7 +123,5 @@ CHAIN_ENTRIES = {
             "duration": chain_drawn.SHOWN,
             "forcePoints": chain_drawn.FORCE_POINTS,
         },
-        BY_STRETCHES,
-        STRETCHES,
     ),
 }

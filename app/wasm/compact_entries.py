@@ -11,8 +11,8 @@ from solvers.numerics.law_functions import CONSTANTS
 from solvers.numerics.single_degree import SAMPLES
 from solvers.numerics.waves.laws import FORCE
 
-from .entry import ANY_LAW, CYCLE, DEPTHS, INSTANTS, INTEGERS, JUMPING, LOSES, REMEMBERS, SPARE, Entry
-from .modal_entries import BY_STEPS, AnyStepped, march_room, room_of
+from .entry import ANY_LAW, CYCLE, DEPTHS, INSTANTS, INTEGERS, JUMPING, LOSES, REMEMBERS, Entry
+from .modal_entries import AnyStepped, march_room, room_of
 
 CONTACTS, STEPS = 4, 2_000
 COURSE = max(SAMPLES + 1, path_collision.instants(6))  # of what stands beside: few have more than four stretches
@@ -25,12 +25,12 @@ def _force(depth, constants, slopes):
 
 
 def compact(
-    mass, whole, exponent, kind, constants, shapes, oscillators, saved, saved_rates, slopes, done, histories, runs,
+    mass, whole, exponent, kind, constants, shapes, oscillators, saved, saved_rates, slopes, histories, runs,
     contacts, impactor, face, force_time, force, other_impactor, other_face, other_time, other_force, course, cell,
     edges, cycle, law_cycle, figures, out,
 ):  # fmt: skip
     """`solvers.numerics.compact_drawn.answer`: of both masses, in s, kg and v; kind: POWER and so on."""
-    room = march_room(1, STEPS, 2, saved, saved_rates, oscillators, slopes, done, histories, runs)
+    room = march_room(1, STEPS, 2, saved, saved_rates, oscillators, slopes, histories, runs)
     c, s, h = carray(constants, (CONSTANTS + 1,)), carray(shapes, (3, 1)), carray(course, (8, COURSE + 1))
     n, number = COURSE, int(c[CONSTANTS])
     pressed, curve = carray(cycle, (3, CYCLE)), carray(law_cycle, (2, DEPTHS))
@@ -62,8 +62,7 @@ COMPACT_ENTRIES = {
         compact,
         4,
         {
-            **room_of(1, 2),
-            **{name: times * (STEPS + SPARE) for name, times in BY_STEPS.items()},
+            **room_of(1, STEPS, 2),
             "contacts": modal_drawn.CONTACT_COLUMNS * CONTACTS,
             "impactor": INSTANTS,
             "face": INSTANTS,

@@ -19,12 +19,9 @@ ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES | COMPACT_ENTRIES | CHAI
 
 def room() -> str:
     """What the browser code knows of all this: the file `app/static/wasm/room.js`."""
-    growing = {name: entry for name, entry in ENTRIES.items() if entry.most}
     return (
         "// Sizes of the arrays that kernels work in, and places of figures: written by app/wasm/build.py.\n"
         f"export const ROOM = {_listed({name: entry.room for name, entry in ENTRIES.items()})};\n"
-        f"export const GROWS = {_listed({name: entry.grows for name, entry in growing.items()})};\n"
-        f"export const MOST = {{ {', '.join(f'{name}: {entry.most}' for name, entry in growing.items())} }}; // steps\n"
         f"export const OUT = {_listed({name: entry.out for name, entry in ENTRIES.items()})};\n"
         f"export const FIELD = [{FEW}, {PLACES}]; // instants and places of a rod that bends as a spring\n"
         f"export const LAWS = {_names([kind.NAME for kind in KINDS])};\n"

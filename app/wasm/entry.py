@@ -12,7 +12,6 @@ from solvers.numerics.waves.laws import any_law
 
 CYCLE, DEPTHS = 300, 60  # of a contact law: instants of the impact, depths
 INSTANTS = 301  # of the motions along an axis
-SPARE = 2  # for so many more steps is there room, as instants are one more than steps
 KINDS = [kind for kind in LAWS.values() if kind is not Rigid]
 REMEMBERS, LOSES = np.array([kind.PLASTIC for kind in KINDS]), np.array([kind.LOSSY for kind in KINDS])
 JUMPING, SPRING = np.array([kind.JUMPS for kind in KINDS]), KINDS.index(Linear)
@@ -21,22 +20,16 @@ ANY_LAW = any_law(KINDS)
 
 
 class Entry(NamedTuple):
-    """One function: how many numbers it takes, and then how much room by argument, in numbers of eight bytes.
-
-    One of `most` steps takes for how many there is room as its last number, and behind the others has arrays that grow
-    with these and SPARE more, by so many numbers each. What is beyond them is refused, so that they bound its time,
-    too; how many it has taken it writes into `done`, whatever comes of it.
-    """
+    """One function: how many numbers it takes, and then how much room by argument, in numbers of eight bytes. What
+    needs more is refused; pages of memory that are never used cost nothing."""
 
     function: Callable
     numbers: int
     room: dict[str, int]
     kinds: dict[str, Any]  # of pointer, where they are not of numbers
     out: dict[str, int]  # places in `out`
-    grows: dict[str, int] = {}
-    most: int = 0
 
     @property
     def signature(self) -> numba.core.typing.Signature:
-        pointers = (self.kinds.get(name, FLOATS) for name in (*self.room, *self.grows))
+        pointers = (self.kinds.get(name, FLOATS) for name in self.room)
         return types.int32(*self.numbers * [types.float64], *pointers)

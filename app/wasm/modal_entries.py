@@ -14,16 +14,15 @@ from solvers.numerics.waves.drawn import NO_ROOM
 
 from .entry import ANY_LAW, INSTANTS, INTEGERS, JUMPING, KINDS, LOSES, REMEMBERS, SPRING, Entry
 
-CONTACTS, MODES, STEPS, CHECKPOINTS = 64, 400, int(MOST_DRAWN), 17
-# of beams: steps at most, where nothing else bounds its time
+CONTACTS, MODES, STEPS = 64, 400, int(MOST_DRAWN)
+STRIDE = 512  # steps from one checkpoint to the next, at which the clock is asked
 BEAM_CONTACTS, BEAM_MODES, BEAM_STEPS = 250, 48, 400_000
-BY_STEPS = {"histories": 10, "runs": 1}  # of the first the first row is the force over each step
 BEAM_INSTANTS, BEAM_CYCLE, BEAM_DEPTHS, LISTED, GROUPS = 500, 530, 60, 60, 10_000
 AnyStepped = any_stepped(KINDS)
 
 
 @numba.njit
-def march_room(modes, steps, checkpoints, saved, saved_rates, oscillators, slopes, done, histories, runs):
+def march_room(modes, steps, checkpoints, saved, saved_rates, oscillators, slopes, histories, runs):
     """Room for so many steps of so many oscillators."""
     n = steps + 1
     h, w = carray(histories, (10, n)), carray(oscillators, (10, modes))
@@ -41,7 +40,6 @@ def march_room(modes, steps, checkpoints, saved, saved_rates, oscillators, slope
         h[9],
         carray(runs, (steps // 2 + 1, 2)),
         carray(slopes, (2,)),
-        carray(done, (1,)),
     )
 
 
@@ -56,14 +54,14 @@ def _law(constants, compliance):
 
 
 def modes(
-    beta, reflection, count, touching, duration, given, room_for, constants, shapes, oscillators, saved, saved_rates,
-    slopes, done, contacts, mass, end, out, histories, runs,
+    beta, reflection, count, touching, duration, given, constants, shapes, oscillators, saved, saved_rates, slopes,
+    histories, runs, contacts, mass, end, out,
 ):  # fmt: skip
     """A mass on a uniform rod by its lowest modes: `solvers.numerics.modal_drawn.answer`, in units T, v and Z v.
 
     touching: until the last parting by waves; given: or 0: its own modes, and those left out give way; 1: they do not;
     2: so, and frequencies and amplitudes stand in `shapes`; constants: those of the law and its number among KINDS;
-    negative: rigid; room_for: steps.
+    negative: rigid.
     """
     n, fixed = int(count), reflection > 0.0
     if n > MODES:
@@ -71,38 +69,36 @@ def modes(
     frequencies, at_contact, damping = carray(shapes, (3, n))
     own, rest = damping, uniform_rod(fixed, damping)  # k L, which is half of omega T
     steps = steps_drawn(np.pi / own[n - 1], touching, duration)
-    if steps > room_for:
-        return NO_ROOM
     for i in range(n):
         if given < 2.0:
             frequencies[i], at_contact[i] = 2.0 * own[i], 2.0
         damping[i] = 0.0
     period, compliance = 2.0 * np.pi / frequencies[n - 1], 0.0 if given > 0.0 else rest
-    room = march_room(n, steps, CHECKPOINTS, saved, saved_rates, oscillators, slopes, done, histories, runs)
+    room = march_room(n, steps, steps // STRIDE + 1, saved, saved_rates, oscillators, slopes, histories, runs)
     c, step = carray(constants, (CONSTANTS + 1,)), duration / steps
     law, number, rigid = _law(c, compliance)
     spring = residual_spring(0.0 if rigid else compliance, step, period, JUMPING[number], REMEMBERS[number])
     whole, known = np.inf if fixed else 0.5, (frequencies, at_contact, damping)
     return modal_drawn.answer(
         law, ANY_LAW, (c, LOSES[number], rigid), spring, (0.5 / beta, whole, whole, 1.0), known,
-        step, steps // (CHECKPOINTS - 1) + 1, room, carray(contacts, (CONTACTS, modal_drawn.CONTACT_COLUMNS)),
+        step, STRIDE, room, carray(contacts, (CONTACTS, modal_drawn.CONTACT_COLUMNS)),
         (carray(mass, (INSTANTS,)), carray(end, (INSTANTS,))), carray(out, (modal_drawn.COLUMNS,)),
     )  # fmt: skip
 
 
 def beam(
-    mass, rigid_mass, whole, mean, count, compliance, longest, duration, room_for, constants, shapes, oscillators,
-    saved, saved_rates, slopes, done, contacts, drawn, rates, force, cycle, law_cycle, out, histories, runs,
+    mass, rigid_mass, whole, mean, count, compliance, longest, duration, constants, shapes, oscillators, saved,
+    saved_rates, slopes, histories, runs, contacts, drawn, rates, force, cycle, law_cycle, out,
 ):  # fmt: skip
     """A mass across what bends, by its modes: `solvers.numerics.modal_drawn.answer_of_beam`, in s, kg and v.
 
     shapes: frequencies, amplitudes where it is struck and damping ratios; duration: 0: as long as is usual.
     """
-    n, steps = int(count), int(room_for)
+    n = int(count)
     if n > BEAM_MODES:
         return NO_ROOM
     frequencies, at_contact, damping = carray(shapes, (3, n))
-    room = march_room(n, steps, CHECKPOINTS, saved, saved_rates, oscillators, slopes, done, histories, runs)
+    room = march_room(n, BEAM_STEPS, BEAM_STEPS // STRIDE + 1, saved, saved_rates, oscillators, slopes, histories, runs)
     c, d = carray(constants, (CONSTANTS + 1,)), carray(drawn, (5, BEAM_INSTANTS))
     law, number, rigid = _law(c, compliance)
     path, curve = carray(cycle, (3, BEAM_CYCLE)), carray(law_cycle, (2, BEAM_DEPTHS))
@@ -113,7 +109,7 @@ def beam(
     return modal_drawn.answer_of_beam(
         law, ANY_LAW, (c, LOSES[number], rigid), (mass, rigid_mass, whole, mean), (frequencies, at_contact, damping),
         compliance, (JUMPING[number], REMEMBERS[number]), longest, duration, (MAX_ROUND_TRIPS, AFTERGLOW),
-        BEAM_STEPS // (CHECKPOINTS - 1) + 1, room, carray(contacts, (BEAM_CONTACTS, modal_drawn.CONTACT_COLUMNS)),
+        STRIDE, room, carray(contacts, (BEAM_CONTACTS, modal_drawn.CONTACT_COLUMNS)),
         bent, carray(out, (modal_drawn.COLUMNS,)),
     )  # fmt: skip
 
@@ -137,8 +133,8 @@ FIGURES = {
 }
 
 
-def room_of(modes: int, checkpoints: int = CHECKPOINTS) -> dict[str, int]:
-    """What a march works in, and its law."""
+def room_of(modes: int, steps: int, checkpoints: int) -> dict[str, int]:
+    """What a march works in, and its law; of the histories the first row is the force over each step."""
     return {
         "constants": CONSTANTS + 1,
         "shapes": 3 * modes,
@@ -146,16 +142,17 @@ def room_of(modes: int, checkpoints: int = CHECKPOINTS) -> dict[str, int]:
         "saved": checkpoints * modes,
         "savedRates": checkpoints * modes,
         "slopes": 2,
-        "done": 1,
+        "histories": 10 * (steps + 1),
+        "runs": 2 * (steps // 2 + 1),
     }
 
 
 MODAL_ENTRIES = {
     "modes": Entry(
         modes,
-        7,
+        6,
         {
-            **room_of(MODES),
+            **room_of(MODES, STEPS, STEPS // STRIDE + 1),
             "contacts": modal_drawn.CONTACT_COLUMNS * CONTACTS,
             "mass": INSTANTS,
             "end": INSTANTS,
@@ -163,14 +160,12 @@ MODAL_ENTRIES = {
         },
         {"runs": INTEGERS},
         FIGURES,
-        BY_STEPS,
-        STEPS,
     ),
     "beam": Entry(
         beam,
-        9,
+        8,
         {
-            **room_of(BEAM_MODES),
+            **room_of(BEAM_MODES, BEAM_STEPS, BEAM_STEPS // STRIDE + 1),
             "contacts": modal_drawn.CONTACT_COLUMNS * BEAM_CONTACTS,
             "drawn": 5 * BEAM_INSTANTS,
             "rates": 4 * LISTED,
@@ -181,7 +176,5 @@ MODAL_ENTRIES = {
         },
         {"runs": INTEGERS},
         FIGURES | {"step": modal_drawn.STEP, "duration": modal_drawn.DURATION, "half": modal_drawn.HALF},
-        BY_STEPS,
-        BEAM_STEPS,
     ),
 }

@@ -37,7 +37,6 @@ DRAWN = {  # what is drawn, by argument: how many numbers
     "end": INSTANTS,
     "whole": INSTANTS,
 }
-BY_STRETCHES = {"start": 1, "values": QUANTITIES * NODES, "closed": 1, "breaks": 1}  # of each end
 DASHPOTS = tuple(OF_KERNELS)  # laws whose damping follows from a restitution
 
 
@@ -55,13 +54,10 @@ def _drawn(jumps, wave_time, wave, force_time, force, mass, end, whole):
     )
 
 
-@numba.njit
-def count_stretches(record, done):
-    """Write how many a node has been solved in, in the mean of all."""
-    total = 0.0
-    for count in record.count:
-        total += count
-    carray(done, (1,))[0] = total / record.count.size
+def record_room(nodes: int, stretches: int) -> dict[str, int]:
+    """What so many nodes are written into, of so many stretches each."""
+    each = nodes * stretches
+    return {"start": each + nodes, "values": each * QUANTITIES * NODES, "closed": each, "breaks": each}
 
 
 def rod(
@@ -81,16 +77,15 @@ def rod(
 
 
 def law(
-    beta, reflection, asked, room_for, constants, beside, nodes, counts, flags, rows, nothing, pressing, done, jumps,
-    wave_time, wave, force_time, force, mass, end, whole, depths, presses, loading, unloading, contacts, out, start,
+    beta, reflection, asked, constants, beside, nodes, counts, flags, rows, nothing, pressing, jumps, wave_time, wave,
+    force_time, force, mass, end, whole, depths, presses, loading, unloading, contacts, out, start,
     values, closed, breaks,
 ):  # fmt: skip
     """One that strikes through a contact law: `solvers.numerics.waves.law_drawn.answer`.
 
     asked: for how long, or 0: until they have parted for good; constants: those of the law in units of T, v and Z v,
-    and behind them its number among KINDS, for both ends; room_for: stretches of either.
+    and behind them its number among KINDS, for both ends.
     """
-    stretches = int(room_for)
     b, f = carray(beside, (8, 3)), carray(nodes, (8, 2))
     n, yes = carray(counts, (6, 2)), carray(flags, (6, 2))
     chain = Chain(b[0][:1], b[1][:1], b[2][:1], n[0], b[3][:2], b[4][:2], b[5][:2], f[7], 0)
@@ -99,14 +94,14 @@ def law(
     laws = carray(constants, (2, CONSTANTS + 1))
     of_law = laws, yes[0], yes[1], pulse, b[6]
     record = Record(
-        carray(start, (2, stretches + 1)),
-        carray(values, (2, stretches, QUANTITIES, NODES)),
-        carray(closed, (2, stretches)),
+        carray(start, (2, STRETCHES + 1)),
+        carray(values, (2, STRETCHES, QUANTITIES, NODES)),
+        carray(closed, (2, STRETCHES)),
         n[1],
     )
     state = State(
         f[0], f[1], f[2], f[3], f[4], f[5], f[6], yes[2], yes[3], yes[4], n[2], n[3],
-        carray(breaks, (2, stretches)), n[4], n[5], yes[5], b[7], b[2][1:2],
+        carray(breaks, (2, STRETCHES)), n[4], n[5], yes[5], b[7], b[2][1:2],
     )  # fmt: skip
     for node in range(2):
         number = int(laws[node, CONSTANTS])
@@ -120,14 +115,12 @@ def law(
         carray(loading, (DEPTHS,)),
         carray(unloading, (DEPTHS,)),
     )
-    status = law_drawn.answer(
+    return law_drawn.answer(
         chain, record, state, work, ANY_LAW, of_law, (TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, asked), POINTS,
         carray(pressing, (CONTACTS, 2)), carray(contacts, (CONTACTS, law_drawn.CONTACT_COLUMNS)),
         _drawn(jumps, wave_time, wave, force_time, force, mass, end, whole), cycle,
         carray(out, (law_drawn.COLUMNS,)),
     )  # fmt: skip
-    count_stretches(record, done)
-    return status
 
 
 def _dashpot_of(number_for: Callable, nominal: Callable) -> Callable:
@@ -178,7 +171,7 @@ WAVE_ENTRIES = {
     ),
     "law": Entry(
         law,
-        4,
+        3,
         {
             "constants": 2 * (CONSTANTS + 1),
             "beside": 8 * 3,
@@ -188,7 +181,6 @@ WAVE_ENTRIES = {
             "rows": (8 + STAGES) * NODES,
             "nothing": 2 + NODES,
             "pressing": 2 * CONTACTS,
-            "done": 1,
             **DRAWN,
             "depths": CYCLE,
             "presses": CYCLE,
@@ -196,6 +188,7 @@ WAVE_ENTRIES = {
             "unloading": DEPTHS,
             "contacts": law_drawn.CONTACT_COLUMNS * CONTACTS,
             "out": law_drawn.COLUMNS,
+            **record_room(2, STRETCHES),
         },
         {"counts": INTEGERS, "pressing": INTEGERS, "flags": FLAGS, "closed": FLAGS},
         {
@@ -213,8 +206,6 @@ WAVE_ENTRIES = {
             "wavePoints": law_drawn.WAVE_POINTS,
             "forcePoints": law_drawn.FORCE_POINTS,
         },
-        BY_STRETCHES,
-        STRETCHES,
     ),
     "dashpot": Entry(dashpot, 2, {"out": 2}, {}, {"number": 0, "nominal": 1}),
 }

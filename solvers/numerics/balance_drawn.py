@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from . import secular
 from .balance_histories import (
@@ -125,6 +126,7 @@ def _fields(bank, joined, events, duration, given, room, time, drawn):
     """At few instants straight between those of the histories, as they are elsewhere."""
     few, places, work = drawn.stress.shape[0], drawn.stress.shape[1], room.work
     for k in range(few):
+        check_time()
         t = instant(k, few, duration)
         low = cell_of(time, t)
         part = part_of(time, low, t)

@@ -5,6 +5,7 @@ Rows of a history are instants, at each event two: before and after it.
 
 import numpy as np
 
+from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from .arrays import copy_to, dot
 from .balances import Bank, Events, Joined, Work, hold, led_at, release
@@ -113,6 +114,8 @@ def histories(bank, flight, joined, events, start, split, means, time, after, wo
     q, p, size, target = work.q, work.p, bank.closing.size, bank.target
     lost, event = 0.0, -1
     for k in range(time.size):
+        if k % 16 == 0:
+            check_time()
         state(bank, flight, joined, events, start, after[k], time[k], work, q, p)
         while event < after[k]:
             event += 1

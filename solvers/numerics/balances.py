@@ -12,6 +12,7 @@ from typing import NamedTuple, Self
 
 import numpy as np
 
+from ..jit.clock import check_time
 from ..jit.kernels import allocating_kernel, inner_kernel, kernel
 from . import secular
 from .arrays import add_to, copy_to, dot, multiply, multiply_by
@@ -134,6 +135,8 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
     while k * step < end and count < events.time.size:
         if k * step - events.time[count - 1] > patience and _apart(bank, p, k * step):
             break
+        if k % 64 == 0:
+            check_time()
         k += 1
         overlap, rate = step_on(turn, bank.closing, q, p)
         lead, speed, _ = led_at(bank, k * step)
@@ -196,6 +199,8 @@ def _fly(bank, turn, step, q, p, q1, p1, begun, longest):
     overlap, rate = 0.0, dot(bank.closing, p) + led_at(bank, begun)[1]
     steps, elapsed = 0, 0.0
     while elapsed < longest:
+        if steps % 64 == 0:
+            check_time()
         before, rate_before, now = overlap, rate, begun + elapsed
         overlap, rate = step_on(turn, bank.closing, q1, p1)
         lead, speed, _ = led_at(bank, now + step)
@@ -296,10 +301,13 @@ def _stick(bank, joined, step, q, p, begun, longest, work):
         work.pull[k] = -joined.press[k]
     after = Bank(joined.frequencies, work.pull, -1, 0.0, 0.0)  # its "overlap" is the pull
     set_exact_turn(turn, joined.frequencies, step)
-    elapsed, parted = 0.0, False
+    steps, elapsed, parted = 0, 0.0, False
     pull, rate = sum_after(after, 0.0, own, own_rate)
     pull -= weight
     while elapsed < longest:
+        if steps % 64 == 0:
+            check_time()
+        steps += 1
         before, rate_before = pull, rate
         pull, rate = step_on(turn, after.closing, own, own_rate)
         pull -= weight

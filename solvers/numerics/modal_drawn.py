@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numba.extending import register_jitable
 
+from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts
@@ -39,7 +40,6 @@ class March(NamedTuple):
     impulses: np.ndarray
     runs: np.ndarray  # (steps // 2 + 1, 2) of integers
     slopes: np.ndarray  # (2,), for a law
-    marched: np.ndarray  # (1,), written: how many steps, also where there is no room for the next ones
 
 
 class Bent(NamedTuple):
@@ -118,11 +118,13 @@ def figures(asked, of_law, residual, bodies, modes, step, stride, record, room, 
     compliance = 1.0 / constants[0] if rigid else residual.compliance
     opening = 0.0 if every_gap else modal_contacts.least_opening(compliance, step, out[WINDOW], force, impulses)
     known = modal_contacts.Resolved(step, out[WINDOW], opening, every_gap, rigid, parted)
+    check_time()  # between passes over all steps, each of which takes a small part of what the march has taken
     touches = modal_contacts.touches(force, room.runs)
     runs = room.runs[:touches]
     count = modal_contacts.contacts(record, deepest, impulses, runs, known, asked, constants, slopes, contacts)
     if count < 1:
         return NO_ROOM
+    check_time()
     for k in range(count):
         contacts[k, LEFT] = modal_contacts.between(contacts[k, modal_contacts.END], step, record.velocity)
     out[TOUCHES], out[CONTACTS], out[STEPS] = touches, count, last
@@ -140,6 +142,7 @@ def figures(asked, of_law, residual, bodies, modes, step, stride, record, room, 
     out[LOCAL] = stored - given_up + 0.5 * residual.compliance * record.spring_force[last] ** 2
     damped = _damped(record, residual.compliance, still) if damping[0] > 0.0 else 0.0
     out[DISSIPATED] = record.lost[last] + given_up + damped
+    check_time()
     out[HIGHEST] = 0.0
     for k in range(last):
         out[HIGHEST] = max(out[HIGHEST], force[k])
@@ -158,7 +161,6 @@ def _march(law, residual, bodies, step, stride, room, begin, end):
     march_in_place(
         law, residual, bodies[0], bodies[1], 0.0, 0.0, step, bank, *turning, *oscillators, stride, begin, end, record
     )
-    room.marched[0] = end
 
 
 @kernel
@@ -296,6 +298,7 @@ def answer_of_beam(
     if status != SOLVED:
         return status
     count, slopes = int(out[CONTACTS]), kept.slopes
+    check_time()
     _together(record, rigid)
     out[STEP] = step * _histories(record, step, contacts, count, drawn)
     until = min(step * most, BEYOND * contacts[count - 1, modal_contacts.END])

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numba.extending import register_jitable
 
+from ..jit.clock import check_time
 from ..jit.kernels import allocating_kernel, inner_kernel, inner_summing_kernel, kernel
 from ..jit.reference import refer
 from .arrays import copy_to, largest
@@ -180,6 +181,7 @@ def march(law, residual, mass, rigid_mass, fall, surge, step, bank, displacement
 @inner_kernel
 def _check_in(bank, record, row, stride, force, q, p):
     """Keep the oscillators at a checkpoint, and take from them what the steps up to it have added in excess."""
+    check_time()
     for i in range(q.size):
         correction = -0.5 * stride * bank.excess[i]
         q[i] += correction * q[i]

@@ -1,4 +1,4 @@
-// What kernels may do: a bound of steps, which never changes an answer, and memory that is given back.
+// What kernels may take: time, which never changes an answer, and memory that is given back.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -25,40 +25,42 @@ test('memory grows with a beam and is given back, after which answers are the sa
   assert.deepEqual(kernels.beam(STRUCK, LAW), answer);
 });
 
-test('no kernel takes on more steps than its pace lets it, or does more than these', async () => {
-  const free = await kernelsOf(MODULE);
-  const answer = free.beam(STRUCK, LAW);
-  const needed = free.array('beam', 'done', 1)[0];
-  for (const share of [2, 1, 0.9, 0.3, 0.01]) {
-    const bound = await kernelsOf(MODULE, 1);
-    const steps = Math.floor(share * needed);
-    bound.pace = () => (steps + 0.5) * (3 + 50);
-    const found = bound.beam(STRUCK, LAW);
-    assert.deepEqual(found, share >= 1 ? answer : null);
-    assert.ok(bound.array('beam', 'done', 1)[0] <= steps);
-    assert.ok(bytes(bound) < bytes(free), 'memory is for the steps that are allowed');
+test('a kernel is left when its time is over, at once if it is already, and what follows is the same', async (t) => {
+  const kernels = await kernelsOf(MODULE);
+  const answer = kernels.beam(STRUCK, LAW);
+  let looks = 0;
+  t.mock.method(performance, 'now', () => looks++);
+  const all = kernels.within(Infinity, () => kernels.beam(STRUCK, LAW));
+  assert.deepEqual(all, [answer, false]);
+  const whole = looks;
+  assert.ok(whole > 20, `${whole} looks at the clock`);
+  const top = kernels.stack.value;
+  for (const longest of [0, 1, 7, whole - 3]) {
+    looks = 0;
+    const found = kernels.within(longest, () => kernels.beam(STRUCK, LAW));
+    assert.deepEqual([found, looks], [[null, true], longest + 2]);
+    assert.equal(kernels.stack.value, top);
+    assert.deepEqual(kernels.beam(STRUCK, LAW), answer);
   }
 });
 
-test('a march is refused before it begins, waves when they have had what is allowed', async () => {
-  const kernels = await kernelsOf(MODULE, 1);
-  kernels.pace = () => 450 * 999; // a march is of a thousand steps at least
-  assert.equal(kernels.modes(1, 1, LAW, 400, 1, 2, 'own'), null);
-  assert.equal(kernels.array('modes', 'done', 1)[0], 0);
-  kernels.pace = () => 450 * 10_000;
-  assert.ok(kernels.modes(1, 1, LAW, 400, 1, 2, 'own'));
-  kernels.pace = () => 2 * 5;
-  const law = { name: 'linear', constants: [100, 0, 0, 0, 0, 0] };
-  assert.equal(kernels.law(1, 1, law), null);
-  assert.ok(kernels.array('law', 'done', 1)[0] <= 5);
-  kernels.pace = () => Infinity;
-  assert.ok(kernels.law(1, 1, law));
+test('the time is that of all kernels of an answer', async (t) => {
+  const kernels = await kernelsOf(MODULE);
+  let looks = 0;
+  t.mock.method(performance, 'now', () => looks++);
+  const ask = () => [kernels.rod(1, 1), kernels.beam(STRUCK, LAW)];
+  kernels.within(Infinity, () => kernels.rod(1, 1));
+  const first = looks;
+  looks = 0;
+  assert.deepEqual(kernels.within(first + 5, ask), [null, true]);
+  assert.equal(looks, first + 7);
 });
 
-test('an answer that was slow is not the last one', async () => {
-  const kernels = await kernelsOf(MODULE, 25);
-  kernels.paces.beamlinear = [1, 1, 1]; // in a millisecond
-  const tries = Array.from({ length: 5 }, () => kernels.beam(STRUCK, LAW));
-  assert.equal(tries[0], null);
-  assert.ok(tries.at(-1));
+test('what fails is said, and no time is left over for others', async () => {
+  const kernels = await kernelsOf(MODULE);
+  const fail = () => {
+    throw new TypeError('other');
+  };
+  assert.throws(() => kernels.within(0, fail), TypeError);
+  assert.ok(kernels.beam(STRUCK, LAW));
 });

@@ -10,7 +10,7 @@ import * as sprung from './sprung.js';
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
 
-const LONGEST = 25; // ms that a kernel should take, at every picture: half of what it may, as impacts differ
+const LONGEST = 35; // ms for an answer, at every picture: with all that is done besides, no more than 50
 const REST = 5000; // ms without an answer, after which memory is given back
 
 /**
@@ -36,10 +36,15 @@ const kindOf = (frame) => KINDS[frame.kind]?.find(({ is }) => is(frame));
 
 class Answers {
   rest = 0; // until memory is given back
+  late = false; // whether the last answer was none, as it took too long
 
-  /** @param {Kernels} kernels */
-  constructor(kernels) {
+  /**
+   * @param {Kernels} kernels
+   * @param {number} longest  ms for an answer
+   */
+  constructor(kernels, longest) {
     this.kernels = kernels;
+    this.longest = longest;
   }
   /**
    * Whether it can answer what these choices make of an answer of the server.
@@ -58,15 +63,18 @@ class Answers {
   answer(frame, chosen) {
     clearTimeout(this.rest);
     this.rest = window.setTimeout(() => this.kernels.giveBack().catch(() => {}), REST); // or go on with what there is
-    return kindOf(frame)?.made(this.kernels, frame, chosen) ?? null;
+    const ask = () => kindOf(frame)?.made(this.kernels, frame, chosen) ?? null;
+    const [found, late] = this.kernels.within(this.longest, ask);
+    this.late = late;
+    return found;
   }
 }
 
 /**
  * @param {BufferSource} bytes  of the module
- * @param {number} [longest]  ms for a kernel; where no server answers what takes longer, all that there is room for
+ * @param {number} [longest]  ms for an answer; none where no server answers what takes longer
  */
-export const answersOf = async (bytes, longest) => new Answers(await kernelsOf(bytes, longest));
+export const answersOf = async (bytes, longest = Infinity) => new Answers(await kernelsOf(bytes), longest);
 
 /** @returns {Promise<Answers>} */
 export async function ownAnswers() {

@@ -46,8 +46,7 @@ export function chainImpact(kernels, rods, { asked, gaps, kinds }, mass, end) {
   const rows = [rods.map((rod) => rod.impedance), rods.map((rod) => rod.transit), rods.map((rod) => rod.drift)];
   kernels.array('chain', 'links', ROOM.chain.links).set(rows.flat());
   kernels.array('chain', 'knots', ROOM.chain.knots).set([...kinds, ...gaps]);
-  const nodes = rods.length + 1;
-  const called = kernels.follow('chain', '', nodes, nodes, rods.length, mass ? 0 : 1, mass, end, asked);
+  const called = kernels.call('chain', rods.length, mass ? 0 : 1, mass, end, asked);
   if (!called) return null;
   const { figures, read } = called;
   const { apart, closed, compressing, contacts, duration, energy, faded, final, first, forcePoints } = figures;

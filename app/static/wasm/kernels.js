@@ -4,7 +4,6 @@ import { DASHPOTS, LAWS, ROOM } from './room.js';
 
 // numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py, and modal_drawn.py
 const CONTACT = { rod: 7, law: 5, modes: 5 };
-const ALONE = 50; // modes that a step of a march takes as long as, without any
 const MODES = { own: 0, stiff: 1, given: 2 }; // as in app/wasm/modal_entries.py
 const BESIDE = { power: 0, sine: 1, path: 2, damped: 3 }; // two compact bodies: solvers/numerics/compact_drawn.py
 
@@ -150,7 +149,7 @@ export class Kernels extends Memory {
     const given = this.array('law', 'constants', ROOM.law.constants).fill(0);
     for (const end of [0, 1]) given.set([...constants], end * places);
     for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
-    const run = this.#waves('law', this.follow('law', name, 2, 2, beta, reflection, asked));
+    const run = this.#waves('law', this.call('law', beta, reflection, asked));
     if (!run) return null;
     const { common, figures, read, rows } = run;
     const { apart, deepest, dent, dissipated, final } = figures;
@@ -175,18 +174,7 @@ export class Kernels extends Memory {
     if (!this.roomFor('modes')) return null;
     this.#give('modes', law);
     if (of) this.array('modes', 'shapes', 2 * count).set([...of.frequencies, ...of.atContact]);
-    const called = this.follow(
-      'modes',
-      law.name,
-      count + ALONE,
-      1,
-      beta,
-      reflection,
-      count,
-      touching,
-      duration,
-      MODES[kind],
-    );
+    const called = this.call('modes', beta, reflection, count, touching, duration, MODES[kind]);
     if (!called) return null;
     const { figures, read } = called;
     const force = read('histories', figures.steps);
@@ -264,20 +252,7 @@ export class Kernels extends Memory {
     if (!this.roomFor('beam')) return null;
     this.#give('beam', law);
     this.array('beam', 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
-    const called = this.follow(
-      'beam',
-      law.name,
-      count + ALONE,
-      1,
-      mass,
-      rigidMass,
-      whole,
-      mean,
-      count,
-      compliance,
-      longest,
-      duration,
-    );
+    const called = this.call('beam', mass, rigidMass, whole, mean, count, compliance, longest, duration);
     if (!called) return null;
     const { figures, read } = called;
     const { contacts, deepest, dent, half, step, steps } = figures;
@@ -350,10 +325,10 @@ export function rowsOf(columns, count, read) {
 
 /**
  * @param {BufferSource} bytes
- * @param {number} [longest]  ms for a kernel: see `Memory`
  * @returns {Promise<Kernels>}
  */
-export async function kernelsOf(bytes, longest = Infinity) {
-  const { instance, module } = await WebAssembly.instantiate(bytes);
-  return new Kernels(module, instance, longest);
+export async function kernelsOf(bytes) {
+  const kernels = new Kernels(await WebAssembly.compile(bytes));
+  await kernels.enter();
+  return kernels;
 }

@@ -1,75 +1,88 @@
-// What kernels work in: an instance of the module with its memory, which grows with the steps that they may take and is
-// given back; and how many steps these are, by the pace of this device.
-import { GROWS, MOST, OUT, ROOM } from './room.js';
+// What kernels work in: an instance of the module with its memory, which grows with what they are given room for and is
+// given back; and the clock that they ask, by which none takes longer than is allowed.
+import { OUT, ROOM } from './room.js';
 
 const [PAGE, NUMBER, ALIGNED] = [65536, 8, 64]; // bytes
-const SPARE = 2; // as in app/wasm/entry.py
-// Work in a millisecond that any device does, a small part of what a laptop does, until it is known what this one
-// does: steps of a march times what each takes, and stretches of waves.
-const CAUTIOUS = { modes: 100_000, beam: 100_000, law: 30, chain: 30 };
-const [KNOWN, LEAST] = [15, 5]; // answers that the pace is found of, and ms for each at least at the cautious one
+const LATE = new Error('time is over'); // by which a kernel is left
 
 /** @typedef {keyof typeof ROOM} Name  of a kernel */
-/** @typedef {keyof typeof GROWS} Growing  of one whose room grows */
-
-/**
- * Places of arrays one behind the other, and where they end.
- * @param {number} at
- * @param {Record<string, number>} sizes
- * @param {number} times
- * @returns {[places: Record<string, number>, end: number]}
- */
-function laid(at, sizes, times = 1) {
-  /** @type {Record<string, number>} */
-  const places = {};
-  for (const [array, size] of Object.entries(sizes)) {
-    places[array] = at;
-    at += Math.ceil((NUMBER * size * times) / ALIGNED) * ALIGNED;
-  }
-  return [places, at];
-}
 
 export class Memory {
-  /** @type {Record<string, number[]>} */ paces = {}; // of the last answers, by kernel and law
+  deadline = Infinity; // of an answer, as `performance.now()` has it
   /** @type {WebAssembly.Memory} */ memory;
   /** @type {Record<Name, (...numbers: number[]) => number>} */ exports;
+  /** @type {WebAssembly.Global} */ stack;
+  /** @type {number} */ top; // of that, where no kernel is at work
   /** @type {number} */ status; // where a kernel leaves what it returns
   /** @type {number} */ first; // bytes of memory
   /** @type {Record<string, Record<string, number>>} */
-  places = {}; // of each kernel: they work one after the other, all in the same room
+  places = {}; // of arrays, by kernel: they work one after the other, all in the same room
   /** @type {Record<string, number>} */
-  ends = {}; // of that room, without what grows
+  ends = {}; // of that room
 
-  /**
-   * @param {WebAssembly.Module} module
-   * @param {WebAssembly.Instance} instance  of it
-   * @param {number} longest  ms for a kernel: none takes on what takes longer
-   */
-  constructor(module, instance, longest) {
+  /** @param {WebAssembly.Module} module */
+  constructor(module) {
     this.module = module;
-    this.longest = longest;
-    this.#enter(instance);
-    for (const [name, sizes] of Object.entries(ROOM))
-      [this.places[name], this.ends[name]] = laid(this.status + ALIGNED, sizes);
   }
-  /** @param {WebAssembly.Instance} instance */
-  #enter({ exports }) {
-    const { __heap_base: heap, memory } = /** @type {any} */ (exports);
+  /** Take an instance of the module. */
+  async enter() {
+    const given = { strikewave: { check_time: () => this.#checkTime() } };
+    const { exports } = await WebAssembly.instantiate(this.module, given);
+    const { __heap_base: heap, __stack_pointer: stack, memory } = /** @type {any} */ (exports);
     this.exports = /** @type {any} */ (exports);
     this.memory = memory;
+    this.stack = stack;
+    this.top = stack.value;
     this.status = Math.ceil(heap.value / ALIGNED) * ALIGNED;
     this.first = memory.buffer.byteLength;
+    for (const [name, sizes] of Object.entries(ROOM)) this.#lay(name, sizes);
+  }
+  /**
+   * Give the arrays of a kernel their places, one behind the other.
+   * @param {string} name
+   * @param {Record<string, number>} sizes
+   */
+  #lay(name, sizes) {
+    let at = this.status + ALIGNED;
+    this.places[name] = {};
+    for (const [array, size] of Object.entries(sizes)) {
+      this.places[name][array] = at;
+      at += Math.ceil((NUMBER * size) / ALIGNED) * ALIGNED;
+    }
+    this.ends[name] = at;
   }
   /** Take a new instance where the memory has grown: it never shrinks. */
   async giveBack() {
-    if (this.memory.buffer.byteLength > this.first) this.#enter(await WebAssembly.instantiate(this.module));
+    if (this.memory.buffer.byteLength > this.first) await this.enter();
   }
   /**
-   * Memory up to there, made when it is first asked for; whether there is any.
-   * @param {number} end
+   * What is asked of kernels, and whether they were left, as all of it took longer than that.
+   * @template T
+   * @param {number} longest  ms
+   * @param {() => T} ask
+   * @returns {[found: T | null, late: boolean]}
    */
-  #reach(end) {
-    const missing = end - this.memory.buffer.byteLength;
+  within(longest, ask) {
+    this.deadline = performance.now() + longest;
+    try {
+      return [ask(), false];
+    } catch (error) {
+      if (error !== LATE) throw error;
+      this.stack.value = this.top;
+      return [null, true];
+    } finally {
+      this.deadline = Infinity;
+    }
+  }
+  #checkTime() {
+    if (performance.now() > this.deadline) throw LATE;
+  }
+  /**
+   * Room for what a kernel is given and gives, made when it is first asked for; whether there is any.
+   * @param {Name} name
+   */
+  roomFor(name) {
+    const missing = this.ends[name] - this.memory.buffer.byteLength;
     if (missing <= 0) return true;
     try {
       this.memory.grow(Math.ceil(missing / PAGE));
@@ -77,13 +90,6 @@ export class Memory {
       return false; // a small device: others go on
     }
     return true;
-  }
-  /**
-   * Room for what a kernel is given and gives; whether there is any.
-   * @param {Name} name
-   */
-  roomFor(name) {
-    return this.#reach(this.ends[name]);
   }
   /**
    * @param {Name} name
@@ -94,44 +100,13 @@ export class Memory {
     return new Float64Array(this.memory.buffer, this.places[name][array], size);
   }
   /**
-   * Call a kernel; nothing where it has failed, or an impact has more contacts than there is room for.
+   * Call a kernel; nothing where it has failed, or an impact takes more than there is room for.
    * @param {Name} name
    * @param {...number} numbers
    */
   call(name, ...numbers) {
+    this.#checkTime();
     return this.roomFor(name) && this.#solved(name, numbers) ? this.#left(name) : null;
-  }
-  /**
-   * Call one that takes as many steps as an impact needs; nothing either where these are more than are allowed.
-   * @param {Growing} name
-   * @param {string} law  through which bodies touch: some take twice as long
-   * @param {number} work  that a step is
-   * @param {number} parts  that take as many steps each
-   * @param {...number} numbers
-   */
-  follow(name, law, work, parts, ...numbers) {
-    const steps = Math.min(MOST[name], Math.floor((this.longest * this.pace(name, law)) / work));
-    const [growing, end] = laid(this.ends[name], GROWS[name], parts * (steps + SPARE));
-    if (!this.#reach(end)) return null;
-    Object.assign(this.places[name], growing);
-    const done = this.array(name, 'done', 1).fill(0);
-    const begun = performance.now();
-    const solved = this.#solved(name, [...numbers, steps]);
-    const took = performance.now() - begun;
-    const known = (this.paces[name + law] ??= []);
-    const worked = done[0] * work;
-    if (worked > LEAST * CAUTIOUS[name]) known.push(worked / took);
-    if (known.length > KNOWN || (!solved && !done[0])) known.shift(); // what is refused at once is tried again in time
-    return solved ? this.#left(name) : null;
-  }
-  /**
-   * Work that a kernel does in a millisecond: the median of the last answers.
-   * @param {Growing} name
-   * @param {string} law
-   */
-  pace(name, law) {
-    const all = [CAUTIOUS[name], ...(this.paces[name + law] ?? [])].sort((a, b) => a - b);
-    return all[all.length >> 1];
   }
   /**
    * @param {Name} name

@@ -7,11 +7,11 @@ import { late } from '../browser/late.js';
 /** @import { Page } from '../page.js' */
 
 const REST = 150; // ms without a change, after which the server is asked
-const LONG = 50; // ms for an answer; after two that took longer the server answers alone, for so many times as long:
-const PAUSE = 20;
+const PAUSE = 2000; // ms for which the server answers alone, after an answer that would have taken too long
 
 /**
  * @typedef {object} Answers  as app/static/wasm/answers.js makes them
+ * @property {boolean} late  whether the last answer was none, as it took too long
  * @property {(frame: Frame, changed: string[]) => boolean} covers
  * @property {(frame: Frame, chosen: Chosen) => Frame | null} answer
  */
@@ -24,7 +24,6 @@ export class OwnAnswers {
   /** @type {Frame | null} */ whole = null; // the last answer of the server that is no draft
   beyond = ''; // choices that cannot be answered here after all
   refused = false; // whether the last answer was none, so that those of the server are shown while a slider moves
-  slow = 0; // answers in a row that took long
   resumes = 0; // when it answers again
 
   /** @param {Page} page */
@@ -106,16 +105,11 @@ export class OwnAnswers {
    * @param {Frame} base
    */
   #found(base) {
-    const begun = performance.now();
     try {
       return this.answers?.answer(base, this.#chosen) ?? null;
     } catch {
       this.answers = null;
       return null;
-    } finally {
-      const now = performance.now();
-      this.slow = now - begun > LONG ? this.slow + 1 : 0;
-      if (this.slow > 1) this.resumes = now + PAUSE * (now - begun);
     }
   }
   #draw() {
@@ -129,6 +123,7 @@ export class OwnAnswers {
     this.refused = !frame;
     if (!frame) {
       this.beyond = JSON.stringify(this.#chosen);
+      if (this.answers?.late) this.resumes = performance.now() + PAUSE;
       changes.flush();
       return;
     }

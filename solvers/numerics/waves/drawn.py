@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...jit.clock import check_time
 from ...jit.kernels import inner_kernel
 
 SOLVED, NO_ROOM = 0, 1  # what such a kernel returns
@@ -58,6 +59,8 @@ def history_of(either_side: Callable) -> Callable:
     def history(even, last, jumps, known, time, value):
         count = following = k = 0
         while k < even or following < jumps.size:
+            if k % 64 == 0:
+                check_time()
             t = instant(k, even, last) if k < even else np.inf
             if following < jumps.size and jumps[following] <= t:
                 k += 1 if jumps[following] == t else 0

@@ -17,6 +17,7 @@ one node, `laws` what a contact law does in it.
 
 import numpy as np
 
+from ...jit.clock import check_time
 from ...jit.kernels import inner_kernel, kernel
 from ...jit.reference import refer
 from .collocation import STAGES
@@ -192,6 +193,8 @@ def solve(
             return STOPPED
         if record.count[node] >= capacity:
             return FULL
+        if record.count[node] % 8 == 0:
+            check_time()
         law = contact if node == chain.contact else joint
         ends = _advance(
             chain, state, record, node, law, constants[node], remembers[node], loses[node], pulse, limit - t,

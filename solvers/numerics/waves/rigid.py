@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...jit.clock import check_time
 from ...jit.kernels import inner_kernel, kernel
 from ..polynomials import GAUSS_NODES, GAUSS_WEIGHTS, RootWork, roots, shift, trim, value
 
@@ -267,6 +268,7 @@ def strike(beta, reflection, until, sent):
     contacts[0, 0], contacts[0, 2], contacts[0, 4] = t, v1, 0.0
     start[0], integral[0] = t, 0.0
     while n < degrees.size and count < contacts.shape[0]:
+        check_time()
         # the wave that arrives: piece j, from its own origin to ours
         arrival_end = 1.0 if j < 0 else (start[j + 1] if j + 1 < n else t) + 1.0
         if arrival_end - t <= 1e-15 * arrival_end:

@@ -35,12 +35,12 @@ QUIET = {
 Answers = dict[str, list[Any]]  # by the kind of impact; nothing of one that the module leaves to the server
 
 
-def by_node(given: Answers, module: Path = MODULE, work: float = 0.0) -> Answers:
+def by_node(given: Answers, module: Path = MODULE, share: float | None = None) -> Answers:
     """Of impacts, by their kinds; CalledProcessError where Node fails.
 
-    work: for each of kernels that count their steps, times what a step takes, which is then beside under `done`.
+    share: of the times that each looks at the clock; then how it is left so, as `answers.mjs` has it.
     """
-    command = ["node", HERE / "node.mjs", module, str(work)]
+    command = ["node", HERE / "node.mjs", module, *([] if share is None else [str(share)])]
     done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, check=True)
     return json.loads(done.stdout)
 

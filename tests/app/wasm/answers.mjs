@@ -84,19 +84,29 @@ function balance(found, [made, duration]) {
 
 const KINDS = { rod, law, modes, beam, spring, compact, chain, balance };
 
-// With so much work for each, also how many steps each took.
-export async function answersOf(bytes, given, work) {
+const ofKind = (given, one) =>
+  Object.fromEntries(Object.entries(given).map(([name, impacts]) => [name, impacts.map((each) => one(name, each))]));
+
+export async function answersOf(bytes, given) {
   const found = await kernelsOf(bytes);
-  if (work) Object.assign(found, { longest: 1, pace: () => work });
-  const done = {};
-  const answered = ([name, impacts]) => {
-    const one = (impact) => {
-      const answer = KINDS[name](found, impact);
-      if (work) (done[name] ??= []).push(found.array(name, 'done', 1)[0]);
-      return answer;
-    };
-    return [name, impacts.map(one)];
+  return ofKind(given, (name, impact) => KINDS[name](found, impact));
+}
+
+// By a clock that goes on by one at each look: each impact answered, left at this share of the looks that it takes, and
+// answered again.
+export async function leftOf(bytes, given, share) {
+  const found = await kernelsOf(bytes);
+  let looks = 0;
+  performance.now = () => looks++;
+  const within = (longest, ask) => {
+    looks = 0;
+    const [answer, late] = found.within(longest, ask);
+    return { answer, late, looks };
   };
-  const answers = Object.fromEntries(Object.entries(given).map(answered));
-  return work ? { ...answers, done } : answers;
+  return ofKind(given, (name, impact) => {
+    const ask = () => KINDS[name](found, impact);
+    const whole = within(Infinity, ask);
+    const { late, looks: until } = within(Math.floor(share * (whole.looks - 2)), ask);
+    return { ...whole, late, until, again: within(Infinity, ask).answer };
+  });
 }

@@ -1,7 +1,8 @@
-// Answers of a module, by Node, with so much work for each: to impacts on standard input, on standard output.
+// Answers of a module, by Node: to impacts on standard input, on standard output; or, with a share, how they are left.
 import { readFileSync } from 'node:fs';
-import { answersOf } from './answers.mjs';
+import { answersOf, leftOf } from './answers.mjs';
 
 const given = JSON.parse(readFileSync(0, 'utf8'));
-const [, , module, work] = process.argv;
-console.log(JSON.stringify(await answersOf(readFileSync(module), given, Number(work))));
+const [, , module, share] = process.argv;
+const bytes = readFileSync(module);
+console.log(JSON.stringify(await (share ? leftOf(bytes, given, Number(share)) : answersOf(bytes, given))));

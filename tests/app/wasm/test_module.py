@@ -1,5 +1,6 @@
 """The kernels that browsers have: of today's sources, and equal to those of this machine."""
 
+import json
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
@@ -23,6 +24,10 @@ from solvers.scenes.library import scene_of
 
 from . import native
 from .answered import FIREFOX, Answers, by_firefox, by_node
+from .test_balances import given_of as given_of_balance
+from .test_balances import random_impacts as balanced
+from .test_chains import given_of as given_of_chain
+from .test_chains import random_scenes as chains
 
 RANDOM = np.random.default_rng(41)
 RATIOS = (1e-3, 0.02, 0.25, 1.0, 4.0, 50.0, 1e3)
@@ -38,7 +43,7 @@ MOST_ATTACHED = 100
 ACROSS, BEAM_MODES, FEW_CONTACTS = 300, (1, 5, 10, 30), 6
 BETWEEN = 1e-3  # of the largest value: what straight lines between other instants differ by
 NEARLY_FULL = 0.75  # of the stretches that there is room for
-BOUND, ALONE = 60, 50  # impacts; modes that a step takes as long as by itself, as in app/static/wasm/kernels.js
+LEFT, LOOKS = 20, 10  # impacts of each kind; times that the longest of these look at the clock, at least
 DRAWN_TOO = 40  # of them, the histories as well: they are long
 
 
@@ -126,6 +131,14 @@ def test_the_module_is_of_todays_sources():
     assert MODULE.with_name("room.js").read_text("utf-8") == room(), "make wasm"
 
 
+@pytest.mark.browser  # needs Node
+def test_a_module_is_given_a_clock_and_nothing_else():
+    listed = "WebAssembly.Module.imports(new WebAssembly.Module(require('fs').readFileSync(process.argv[1])))"
+    command = ["node", "-e", f"console.log(JSON.stringify({listed}))", MODULE]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout) == [{"module": "strikewave", "name": "check_time", "kind": "function"}]
+
+
 def test_a_module_names_its_sources():
     assert named_in(signed(b"code")) == sources()
     assert named_in(b"code") == ""
@@ -195,36 +208,19 @@ def test_what_is_drawn_through_a_law_is_the_solution(name, kind):
 
 
 @pytest.mark.browser  # needs Node
-@pytest.mark.parametrize(("kernel", "share"), [("law", 0.5), ("modes", 0.5), ("beam", 0.5), ("beam", 0.9)])
-def test_no_kernel_does_more_than_is_allowed_and_what_it_does_is_the_same(kernel, share):
-    given = {
-        "law": lambda: impact_of(random_scene()),
-        "modes": lambda: (lambda scene, *counted: [*impact_of(scene)[:4], *counted])(*random_march()),
-        "beam": lambda: struck_by(*random_beam()),
-    }[kernel]
-    asked = {kernel: [given() for _ in range(BOUND)]}
-    free, needed = bound(asked, kernel, 1e12)
-    work = {"law": [2] * BOUND}.get(kernel) or [ALONE + modes_in(each) for each in asked[kernel]]
-    allowed = float(np.quantile([steps * each for steps, each in zip(needed, work, strict=True)], share))
-    found, done = bound(asked, kernel, allowed)
-    for k in range(BOUND):
-        assert done[k] * work[k] <= allowed
-        assert found[k] in (free[k], {})
-        if kernel != "law":  # of whose two ends either may be the busier
-            assert bool(found[k]) == (bool(free[k]) and needed[k] * work[k] <= allowed)
-        if kernel == "modes":
-            assert done[k] == (needed[k] if found[k] else 0)  # known before
-    assert sum(map(bool, found)) < sum(map(bool, free))
-
-
-def modes_in(given: list) -> int:
-    return given[4] if isinstance(given[0], float) else len(given[0]["march"]["frequencies"])
-
-
-def bound(given: dict[str, list], kernel: str, work: float) -> tuple[list[dict], list[float]]:
-    """Answers with so much work for each, and how many steps each took."""
-    found: dict = by_node(given, work=work)
-    return found[kernel], found["done"][kernel]
+@pytest.mark.parametrize("share", [0.01, 0.5, 0.99])
+def test_a_kernel_whose_time_is_over_is_left_and_the_next_answer_is_the_same(share):
+    through, marched = [(random_scene(), random_time()) for _ in range(LEFT)], [random_march() for _ in range(LEFT)]
+    given = given_of(through, marched, [random_beam() for _ in range(LEFT)])
+    given["rod"] = given["rod"][:LEFT]
+    given["balance"] = [[given_of_balance(scene, method.solve(scene)), 0.0] for scene, method in balanced()[:LEFT]]
+    given["chain"] = [given_of_chain(scene) for scene in chains()[:LEFT]]
+    for kind, impacts in by_node(given, share=share).items():
+        for impact in impacts:
+            allowed = int(share * (impact["looks"] - 2))
+            assert impact["late"] and impact["until"] == allowed + 2, kind  # the first look begins, the last is late
+            assert impact["again"] == impact["answer"], kind
+        assert max(impact["looks"] for impact in impacts) > LOOKS, kind
 
 
 @pytest.mark.slow
