@@ -56,16 +56,6 @@ def shoot(state: State, page: Page, folder: Path, name: str) -> list[str]:
     return [*found, *(f"error: {error}" for error in page.errors if not state.fails)]
 
 
-def opened(state: State, size: tuple[int, int], browser, address: str, windows: Windows) -> Page:
-    own = None if state.script else windows
-    page = Page(browser, address, state.query, size=size, windows=own, **state.options)
-    if state.script:
-        page.tab.add_init_script(state.script)
-        page.tab.reload()
-        page.laid_out()
-    return page
-
-
 def crawl(address: str, folder: Path, states: list[State], sizes: list[tuple[int, int]]) -> int:
     """Every state at every size; how many findings."""
     count = 0
@@ -75,7 +65,7 @@ def crawl(address: str, folder: Path, states: list[State], sizes: list[tuple[int
         for state in states:
             for size in sizes:
                 name = f"{state.name}-{size[0]}"
-                page = opened(state, size, browser, address, windows)
+                page = Page(browser, address, state.query, size, script=state.script, windows=windows, **state.options)
                 try:
                     found = shoot(state, page, folder, name)
                 except Error as error:

@@ -192,7 +192,7 @@ ANALYSED = [
         scrolled=".analysis:not(.behind)",
         rest=1500,
     )
-    for key, _ in PANELS
+    for key, *_ in PANELS
     if key != "record"
 ] + [
     State(

@@ -4,8 +4,9 @@ import json
 
 import pytest
 
+from app.views.registry import VIEWS
 from bench import __main__ as bench
-from bench import kernels, sweep, waves
+from bench import kernels, states_listed, sweep, waves
 
 
 @pytest.mark.slow
@@ -22,3 +23,8 @@ def test_every_stored_part_says_machine_date_and_commit():
         part for part, figures in stored.items() if not {"processor", "date", "commit"} <= set(figures["measured"])
     } == set()
     assert bench.written(stored) == bench.RESULTS.read_text(encoding="utf-8")
+
+
+def test_the_states_of_the_page_have_every_analysis():
+    listed = {state.name for state in states_listed.STATES} | {"analysis-record"}  # of which there are several
+    assert {f"analysis-{view.key}" for view in VIEWS} <= listed

@@ -102,7 +102,6 @@ def build(
 
     _quiet()
     install.install()
-    draw_figures()
     _first_answer()
     for language in LANGUAGES:
         shell(True, language)
@@ -166,13 +165,3 @@ def _first_answer() -> None:
             COMPILER.ask("solve_frame", first).result(HANG_SECONDS)
         solve_frame(first)
     KEPT.keep(solve_frame, first, solve_frame(first))  # its time is that of a solve: kernels are loaded
-
-
-def draw_figures() -> None:
-    """Before anybody waits for one."""
-    from ..views.registry import FIGURES
-    from .pages import figure_text
-
-    for language in LANGUAGES:
-        for name in FIGURES:
-            figure_text(name, language)

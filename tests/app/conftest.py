@@ -79,28 +79,34 @@ class Windows:
 
     def __init__(self, browser):
         self.browser = browser
-        self.free: dict[str, list] = {}  # windows that nobody uses, by their options
+        self.free: dict[str, list] = {}  # windows that nobody uses, by their options and scripts
 
-    def take(self, size, options: dict):
-        """A tab of this size in a context of these options."""
+    def take(self, size, options: dict, script: str = ""):
+        """A tab of this size in a context of these options, which runs this script before each page."""
         viewport = {"width": size[0], "height": size[1]}
-        free = self.free.get(repr(options))
+        free = self.free.get(repr((options, script)))
         if not free:
-            return self.browser.new_context(viewport=viewport, **options).new_page()
+            tab = self.browser.new_context(viewport=viewport, **options).new_page()
+            if script:
+                tab.add_init_script(script)
+            return tab
         tab = free.pop()
         tab.set_viewport_size(viewport)
         return tab
 
-    def give(self, tab, address: str, options: dict) -> None:
-        """Take away what a page has left behind, and keep the window."""
+    def give(self, tab, plain: str, options: dict, script: str = "") -> None:
+        """Take away what a page has left behind, and keep the window.
+
+        `plain`: an address of the same site where no page is: that keeps the process.
+        """
         tab.emulate_media(**{medium: options.get(medium, "null") for medium in MEDIA})
         tab.mouse.move(0, 0)
-        tab.goto(f"http://{address}/liveness")  # of the same site, which keeps the process
+        tab.goto(plain)
         tab.evaluate("() => { localStorage.clear(); sessionStorage.clear(); }")
         session = tab.context.new_cdp_session(tab)
         session.send("Page.resetNavigationHistory")
         session.detach()
-        self.free.setdefault(repr(options), []).append(tab)
+        self.free.setdefault(repr((options, script)), []).append(tab)
 
 
 class Page:
@@ -118,9 +124,9 @@ class Page:
         **options,
     ):
         self.options = {"reduced_motion": "reduce"} | options  # nothing moves by itself, unless that is what is tested
-        self.windows = windows
+        self.windows, self.script = windows, script
         self.address = address
-        self.tab = (windows or Windows(browser)).take(size, self.options)
+        self.tab = (windows or Windows(browser)).take(size, self.options, script)
         self.context = self.tab.context
         self.errors: list[str] = []
         self.foreign: list[str] = []
@@ -133,8 +139,6 @@ class Page:
         }
         for name, listener in self.listeners.items():
             self.tab.on(name, listener)
-        if script:
-            self.tab.add_init_script(script)
         self.tab.goto(f"http://{address}/{query}")
         if drawn:
             self.laid_out()
@@ -143,7 +147,7 @@ class Page:
         for name, listener in self.listeners.items():
             self.tab.remove_listener(name, listener)
         if self.windows:
-            self.windows.give(self.tab, self.address, self.options)
+            self.windows.give(self.tab, f"http://{self.address}/liveness", self.options, self.script)
         else:
             self.context.close()
 
@@ -274,12 +278,11 @@ def open_page(browser, server, windows):
     """Open the page; at the end it must have shown no error and asked nobody else for anything.
 
     `own`: in a window of its own, which has fetched nothing yet and takes whatever the test puts into it.
-    `script`: what such a window runs before the page; windows that are used again would run it for others.
+    `script`: what the window runs before the page.
     """
     opened: list[Page] = []
 
     def open_one(query: str = LABORATORY, own: bool = False, **options) -> Page:
-        assert own or "script" not in options
         opened.append(Page(browser, server, query, windows=None if own else windows, **options))
         return opened[-1]
 

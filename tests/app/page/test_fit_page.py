@@ -119,7 +119,7 @@ def test_of_a_striker_that_has_flown_off_a_beam_it_is_said_how_far(open_page):
     "query", ["", "?layout=laboratory", "?scene=hammer-on-cantilever", "?scene=hammer-on-cantilever&layout=opening"]
 )
 def test_large_letters_have_their_room(open_page, size, query):
-    page = open_page(query, own=True, script=LARGE, size=size)
+    page = open_page(query, script=LARGE, size=size)
     assert page.evaluate("() => getComputedStyle(document.documentElement).fontSize") == "24px"
     assert page.evaluate(DRAWN, INSTANTS) == []
     assert page.evaluate(WRITTEN) == []
@@ -149,7 +149,7 @@ FORCE_AND_CONTROLS = """async () => {
     ids=["letters of 32 px", "zoom of 200 %"],
 )
 def test_the_force_and_the_controls_are_there_however_large_letters_are(open_page, pixels, sizes):
-    page = open_page(own=True, script=lettered(pixels), size=sizes[-1])
+    page = open_page(script=lettered(pixels), size=sizes[-1])
     for size in sizes:
         page.resize(*size)
         [force, *room] = page.evaluate(FORCE_AND_CONTROLS)

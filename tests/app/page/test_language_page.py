@@ -97,10 +97,10 @@ def names() -> set[str]:
     return NAMED | {word for text in (*links, *titles, *languages, processor) for word in BARE.findall(text)}
 
 
-def test_no_word_of_the_page_is_outside_its_catalogues(browser, bracketed):
+def test_no_word_of_the_page_is_outside_its_catalogues(browser, windows, bracketed):
     known, bare = names(), {}
     for query, acts in STATES.items():
-        page = Page(browser, bracketed, query, script=DRAWN, locale=LANGUAGE)
+        page = Page(browser, bracketed, query, script=DRAWN, windows=windows, locale=LANGUAGE)
         for act in acts:
             page.evaluate(f"() => {{ {act}; }}")
         page.quiet()
@@ -128,7 +128,7 @@ def test_nothing_of_the_page_is_left_in_english_on_the_spanish_one(open_page):
     fixed = set(spanish.values())
     found, points = {}, {}
     for query, acts in STATES.items():
-        page = open_page(query, own=True, script=DRAWN, locale="es-CO")
+        page = open_page(query, script=DRAWN, locale="es-CO")
         for act in acts:
             page.evaluate(f"() => {{ {act}; }}")
         page.quiet()

@@ -7,6 +7,8 @@ import threading
 import pytest
 
 SECONDS = 15_000  # ms for a page
+DESK = {"width": 1280, "height": 720}
+PLAIN = "sheets.css"  # of every folder: where no page is
 SHOWN = "() => window.strikewave?.frames > 0"
 
 
@@ -18,26 +20,33 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 
 @pytest.fixture
-def opened(browser, folder):
+def opened(windows, folder):
     """Open the folder from the disk, or at another address, with what the page asked for and what went wrong; `before`:
     a script that runs first."""
-    contexts = []
+    used = []
 
-    def open_one(query: str = "", base: str = "", script: str = SHOWN, before: str = "", **options):
-        contexts.append(browser.new_context(**{"reduced_motion": "reduce"} | options))
-        tab = contexts[-1].new_page()
+    def open_one(query: str = "", base: str = "", script: str = SHOWN, before: str = "", viewport=DESK, **options):
+        options = {"reduced_motion": "reduce"} | options
+        base = base or folder.as_uri()
+        tab = windows.take(tuple(viewport.values()), options, before)
         tab.asked, tab.errors = [], []
-        tab.on("request", lambda request: tab.asked.append(request.url))
-        tab.on("pageerror", lambda error: tab.errors.append(str(error)))
-        tab.on("console", lambda line: line.type == "error" and tab.errors.append(line.text))
-        tab.add_init_script(before)
-        tab.goto((base or folder.as_uri()) + "/index.html" + query)
+        listeners = {
+            "request": lambda request: tab.asked.append(request.url),
+            "pageerror": lambda error: tab.errors.append(str(error)),
+            "console": lambda line: line.type == "error" and tab.errors.append(line.text),
+        }
+        for name, listener in listeners.items():
+            tab.on(name, listener)
+        used.append((tab, listeners, (f"{base}/{PLAIN}", options, before)))
+        tab.goto(f"{base}/index.html{query}")
         tab.wait_for_function(script, timeout=SECONDS)
         return tab
 
     yield open_one
-    for context in contexts:
-        context.close()
+    for tab, listeners, free in used:
+        for name, listener in listeners.items():
+            tab.remove_listener(name, listener)
+        windows.give(tab, *free)
 
 
 @pytest.fixture

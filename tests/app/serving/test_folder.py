@@ -65,7 +65,7 @@ def test_the_command_lists_what_is_covered(capsys):
 
 
 @pytest.mark.parametrize("where", ["disk", "server"])
-def test_answers_are_those_of_the_library(opened, served, folder, where):
+def test_answers_are_those_of_the_library(served, opened, folder, where):
     base = folder.as_uri() if where == "disk" else served
     tab = opened(base=base)
     scene = scene_of("fixed-rod")
