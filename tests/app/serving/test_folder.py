@@ -265,12 +265,12 @@ def kernels(module: bytes) -> bytes:
 
 
 HEAD = b"\0asm\1\0\0\0"
-# memory, `__heap_base` and a function `rod` of two pointers, two numbers and fourteen pointers, which traps
+# memory, `__heap_base`, a stack and a function `rod` of two pointers, two numbers and fourteen pointers, which traps
 TRAP = (
     HEAD
     + b"\x01\x17\x01\x60\x12\x7f\x7f\x7c\x7c" + 14 * b"\x7f" + b"\x01\x7f"
     + b"\x03\x02\x01\x00" + b"\x05\x03\x01\x00\x10" + b"\x06\x07\x01\x7f\x00\x41\x80\x08\x0b"
-    + b"\x07\x1e\x03\x06memory\x02\x00\x0b__heap_base\x03\x00\x03rod\x00\x00"
+    + b"\x07\x30\x04\x06memory\x02\x00\x0b__heap_base\x03\x00\x0f__stack_pointer\x03\x00\x03rod\x00\x00"
     + b"\x0a\x05\x01\x03\x00\x00\x0b"
 )  # fmt: skip
 

@@ -34,8 +34,8 @@ def test_it_is_small_and_says_how_many_it_has(folder, capsys):
 
 
 def test_what_runs_alone_has_scenes_that_kernels_answer():
-    assert {LESSON, "mass-on-a-rod", "split-hopkinson"} <= set(ALONE)
-    assert "what-an-impact-is" not in ALONE  # two bodies that move as wholes, by a law that damps
+    assert {LESSON, "mass-on-a-rod", "split-hopkinson", "what-an-impact-is"} <= set(ALONE)
+    assert "a-ball-with-spin" not in ALONE  # friction
     assert "when-is-a-body-rigid" not in ALONE  # a rod of another length
 
 
@@ -90,7 +90,7 @@ def test_the_gallery_has_these_lessons_and_says_how_many_need_a_server(opened):
     assert tab.errors == []
 
 
-@pytest.mark.parametrize("name", ["what-an-impact-is", "none-of-this-name", "hasOwnProperty", "../x"])
+@pytest.mark.parametrize("name", ["a-ball-with-spin", "none-of-this-name", "hasOwnProperty", "../x"])
 def test_a_lesson_that_is_not_there_is_said_in_one_sentence(opened, name):
     tab = opened(f"?lesson={name}")
     tab.locator(".toast").wait_for()

@@ -97,7 +97,7 @@ export async function answersOf(bytes, given) {
 export async function leftOf(bytes, given, share) {
   const found = await kernelsOf(bytes);
   let looks = 0;
-  performance.now = () => looks++;
+  globalThis.performance.now = () => looks++;
   const within = (longest, ask) => {
     looks = 0;
     const [answer, late] = found.within(longest, ask);

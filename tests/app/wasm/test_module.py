@@ -42,7 +42,7 @@ BEAMS = ("hammer-on-cantilever", "timoshenko-1913-short", "timoshenko-1913-long"
 MOST_ATTACHED = 100
 ACROSS, BEAM_MODES, FEW_CONTACTS = 300, (1, 5, 10, 30), 6
 BETWEEN = 1e-3  # of the largest value: what straight lines between other instants differ by
-NEARLY_FULL = 0.75  # of the stretches that there is room for
+NEARLY_FULL = 0.75  # of what there is room for: where rounding makes contacts, either may find some more of them
 LEFT, LOOKS = 20, 10  # impacts of each kind; times that the longest of these look at the clock, at least
 DRAWN_TOO = 40  # of them, the histories as well: they are long
 
@@ -313,7 +313,7 @@ def _equal_across(scene: Scene, modes: int, here: dict) -> None:
     motion, speed = found.known_motion, scene.speed
     assert isinstance(motion, ModalMotion)
     if not here:
-        assert motion.steps > NEARLY_FULL * BEAM_STEPS or len(found.contacts) > BEAM_CONTACTS, given
+        assert motion.steps > NEARLY_FULL * BEAM_STEPS or len(found.contacts) > NEARLY_FULL * BEAM_CONTACTS, given
         return
     rows = [[c.start, c.end, c.impulse / speed, c.peak_force / speed] for c in found.contacts]
     if len(rows) > FEW_CONTACTS:  # of which rounding makes others in the end
