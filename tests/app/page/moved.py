@@ -20,7 +20,7 @@ MOVE = """async ([name, values]) => {
   const { page } = strikewave, { own } = page, seen = [];
   for (const value of values) {
     const before = own.count;
-    Object.assign(own, { slow: 0, resumes: 0 }).answers.kernels.longest = Infinity; // however busy the machine is
+    Object.assign(own, { resumes: 0 }).answers.longest = Infinity; // however busy the machine is
     page.controls.send(name, value);
     for (let k = 0; own.count === before && k < 100; k++) await new Promise((done) => requestAnimationFrame(done));
     seen.push([own.made.has(page.frame), page.frame.chosen[name]]);

@@ -87,7 +87,7 @@ def test_the_example_of_the_docs_solves_what_its_sliders_choose(serve):
     assert page.errors == [] and page.foreign == []
     end_server()
     lost = page.tab.get_by_role("alert")
-    expect(lost).to_contain_text("nothing new is solved")
+    expect(lost).to_contain_text("all else waits")
     expect(lost).not_to_contain_text("comes back")  # which is for the page to do
 
 
