@@ -1,11 +1,12 @@
 """Two compact bodies pressed together by a law with damping: mu a'' = -F(a, a'), as kernels.
 
 In the root z of the indentation, while time runs by dt = 2 z ds: what meets at a speed then begins smoothly, and parts
-so. By collocation; the deepest indentation and the parting are instants of their own.
+so. By collocation; the largest force, the deepest indentation and the parting are instants of their own.
 """
 
 import math
 
+from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from .quadrature import gauss_within
 from .waves.laws import FORCE, STORED
@@ -15,7 +16,10 @@ ROWS = 3  # of room (ROWS, STAGES) for a step: root, rate and pull at each stage
 SWING, SLOWED = 1.0 / 64.0, 0.25  # the longest step: a share of a radian, and of the time in which damping acts
 WIDTH = 0.5  # about the largest root
 USUAL = 500  # instants; most contacts have fewer
-FAINT = 1e-10  # times the force without damping: what presses less has parted, before rounding alone presses
+FAINT = 1e-12  # times the force without damping: what presses less goes on at its speed, before rounding alone presses
+CREPT = 50  # instants until it has parted, where it presses as faintly all the way
+SLOW = 1e-6  # of the speed: as deep as it gets, but for a part in 1e12
+RISING, CLOSING, OPENING, CREEPING, PARTED = range(5)
 TOUCHED = 1e-300  # indentation of faces that have just met: a law whose force jumps then presses
 SETTLED, ITERATIONS = 1e-16, 100  # of all stages, beside one
 HALVINGS = 60  # of a step, to its last bit
@@ -66,24 +70,48 @@ def _stepped(asked, constants, slopes, units, root, rate, step, cell):
 
 
 @inner_kernel
-def _goes_on(asked, constants, slopes, units, loading, root, rate):
-    """Whether bodies come closer, while they have done so until now, or then still press."""
-    if loading:
+def _rises(asked, constants, slopes, units, root, rate):
+    """Whether the force grows."""
+    depth = max(units[0] * root * root, TOUCHED)
+    force = asked(FORCE, constants, depth, units[1] * rate, 0.0, slopes)
+    return slopes[0] * rate > slopes[1] * force * units[1] / (units[0] * units[2])
+
+
+@inner_kernel
+def _goes_on(asked, constants, slopes, units, phase, root, rate):
+    """Whether the force still grows, the bodies still come closer, or still press."""
+    if phase == RISING:
+        return _rises(asked, constants, slopes, units, root, rate)
+    if phase == CLOSING:
         return rate > 0.0
     pull = _pull(asked, constants, slopes, units, root, rate)
     return root > 0.0 and pull < FAINT * _pull(asked, constants, slopes, units, root, 0.0)
 
 
 @inner_kernel
-def _followed(asked, constants, slopes, units, loading, root, rate, cell):
-    """Root, rate and the time gone by after a step, and whether what went on before has ended with it."""
+def _after(asked, constants, slopes, units, phase, root, rate):
+    """What follows a phase. Damping that grows with the indentation as the force does may leave a faint one until it is
+    none; other damping outweighs it all at once.
+    """
+    if phase == RISING and rate > SLOW:
+        return CLOSING
+    if phase != OPENING:
+        return OPENING
+    faint = 2.0 * FAINT * _pull(asked, constants, slopes, units, root, 0.0)
+    creeps = _pull(asked, constants, slopes, units, root, rate) > faint
+    return CREEPING if creeps and _pull(asked, constants, slopes, units, 0.5 * root, rate) < 0.0 else PARTED
+
+
+@inner_kernel
+def _followed(asked, constants, slopes, units, phase, root, rate, cell):
+    """Root, rate and the time gone by after a step, and whether the phase has ended with it."""
     part = most = _longest(asked, constants, slopes, units, root, rate)
     least, halvings = 0.0, 0
     while True:
         there = _stepped(asked, constants, slopes, units, root, rate, part, cell)
         if halvings == HALVINGS:
             return there[0], there[1], there[2], True
-        if _goes_on(asked, constants, slopes, units, loading, there[0], there[1]):
+        if _goes_on(asked, constants, slopes, units, phase, there[0], there[1]):
             if halvings == 0:
                 return there[0], there[1], there[2], False
             least = part
@@ -98,21 +126,31 @@ def follow_damped(asked, constants, slopes, mass, speed, unit, cell, course):
     """Write the whole contact; at how many instants, or -1 where there is no room for them.
 
     asked: `waves.laws.law_function`; slopes: room for it (2,); unit: about how long they touch [s]; cell: room (ROWS,
-    STAGES). What creeps back without a force is flight.
+    STAGES).
     """
     units = speed * unit, speed, mass * speed / unit
-    root, rate, time, loading, parted = 0.0, 1.0, 0.0, True, False
+    root, rate, time, crept, faint = 0.0, 1.0, 0.0, 0, 0.0
+    phase = RISING if _rises(asked, constants, slopes, units, root, rate) else CLOSING
     for k in range(course.time.size):
+        check_time()
         depth, force, stored = units[0] * root * root, 0.0, 0.0
-        if not parted:
+        if phase != PARTED:
             force = asked(FORCE, constants, max(depth, TOUCHED), speed * rate, 0.0, slopes)
             stored = asked(STORED, constants, depth, 0.0, depth, slopes)
         course.time[k], course.indentation[k], course.rate[k] = unit * time, depth, speed * rate
         course.force[k], course.impulse[k], course.stored[k] = force, mass * speed * (1.0 - rate), stored
         course.lost[k] = max(0.5 * mass * speed * speed * (1.0 - rate) * (1.0 + rate) - stored, 0.0)
-        if parted:
+        if phase == PARTED:
             return k + 1
-        root, rate, gone, ended = _followed(asked, constants, slopes, units, loading, root, rate, cell)
+        if phase == CREEPING:
+            crept += 1
+            root = math.sqrt(faint * (CREPT - crept) / CREPT)
+            time -= faint / CREPT / rate
+            phase = PARTED if crept == CREPT else CREEPING
+            continue
+        root, rate, gone, ended = _followed(asked, constants, slopes, units, phase, root, rate, cell)
         time += gone
-        parted, loading = ended and not loading, loading and not ended
+        if ended:
+            phase = _after(asked, constants, slopes, units, phase, root, rate)
+            faint = root * root
     return -1

@@ -5,6 +5,8 @@ import math
 import numpy as np
 import pytest
 from pytest import approx
+from scipy.integrate import quad
+from scipy.optimize import brentq
 
 from solvers.contact import HuntCrossley, KelvinVoigt, LeeWang
 from solvers.contact.damping import LEAST_RESTITUTION, damping_for
@@ -60,6 +62,42 @@ def test_every_instant_keeps_the_energy_and_none_is_needed_twice(restitution, ma
     assert np.all(np.diff(found.time) > 0.0) and np.all(np.diff(found.lost) > -1e-12 * mass * speed**2)
     assert found.time.size < damped_path.USUAL
     assert found.indentation[-1] >= 0.0 and found.force[-1] == 0.0 and np.all(found.force[1:-1] > 0.0)
+
+
+@pytest.mark.parametrize("restitution", [LEAST_RESTITUTION, 0.02, 0.04, 0.3])
+def test_hunt_crossley_touches_until_the_indentation_is_none(restitution):
+    """However faintly it presses then: m w dw / K a^(3/2) (1 + c w) is -da, and da / w the time."""
+    mass, speed = 0.7, 3.0
+    number = damping_for(restitution)
+    law = HuntCrossley(STIFFNESS, number / speed)
+    found = follow(law, mass, speed)
+
+    def opening(depth):  # the rate [1/damping] of the way back, by the first integral
+        left = number - math.log1p(number) - 0.4 * STIFFNESS * depth**2.5 * law.damping**2 / mass
+        return math.expm1(brentq(lambda q: math.expm1(q) - q - left, -2.0 - left, 0.0, xtol=1e-14))
+
+    deepest = found.indentation.max()
+    # in a = a_max sin(u)^2 neither end is singular
+    back, _ = quad(
+        lambda u: -2.0 * deepest * math.sin(u) * math.cos(u) * law.damping / opening(deepest * math.sin(u) ** 2),
+        0.0, 0.5 * math.pi, epsabs=0.0, epsrel=1e-9,
+    )  # fmt: skip
+    assert found.time[-1] - found.time[found.indentation.argmax()] == approx(back, rel=1e-6)
+    assert found.indentation[-1] == approx(0.0, abs=1e-15 * deepest) and np.all(np.diff(found.time) > 0.0)
+
+
+@pytest.mark.parametrize(
+    "law", [HuntCrossley(STIFFNESS, 0.3), LeeWang(STIFFNESS, 1e5, 1.5), KelvinVoigt(STIFFNESS, 9e3)]
+)
+def test_the_largest_force_is_an_instant(law):
+    """Between any two others none is larger: a path at twice as many instants has the same."""
+    found = follow(law)
+    k = int(found.force.argmax())
+    force = [law.force(a, w, a) for a, w in zip(found.indentation, found.rate, strict=True)]
+    slopes = law.slopes(found.indentation[k], found.rate[k], 0.0)
+    growth = slopes[0] * found.rate[k] - slopes[1] * found.force[k] / 0.7
+    assert 0 < k < int(found.indentation.argmax()) and force[k] == approx(found.force[k], rel=1e-12)
+    assert abs(growth) < 1e-10 * slopes[0] * found.rate[0]
 
 
 def test_where_there_is_no_room_it_says_so():
