@@ -222,8 +222,9 @@ class Axial(WithLaw):
 
     def trials(self, scene: Scene, chosen: Values, of_scene: Tries, notes: Collection[str]) -> list[Trial]:
         softer = [Trial("softer", "law", Hertz.NAME)] if scene.rigid_contact else []
-        losing = Trial("losing", "law", HuntCrossley.NAME)
-        return [*super().trials(scene, chosen, of_scene, notes), losing, *softer]
+        loses = scene.contact.LOSSY or scene.contact.PLASTIC
+        losing = [] if loses else [Trial("losing", "law", HuntCrossley.NAME)]
+        return [*super().trials(scene, chosen, of_scene, notes), *losing, *softer]
 
     def comparisons(self, scene: Scene, chosen: Values, own: Values) -> list[Comparison]:
         found = [Comparison.of("shapes", "shapes", *SHAPES), *super().comparisons(scene, chosen, own)]
