@@ -115,7 +115,7 @@ export class Section {
     const sheet = shown && cleared(this.below, this.root);
     if (!shown || !sheet) return;
     const { c, width, height } = sheet;
-    this.words.all = [];
+    Object.assign(this.words, { all: [], edge: width - 2 });
     const top = HEAD + (shown.drawn ? 0 : LABEL.line * zoom); // another line for which solution it is
     const down = { top, tall: height - top - FOOT };
     let left = Math.max(TRACK.edge * width, TRACK.least);

@@ -35,6 +35,7 @@ function write(c, { align, color, font, words, x, y }) {
 
 export class Words {
   /** @type {Word[]} */ all = [];
+  edge = Infinity; // of the picture, at the right [px]
   #ruler = contextOf(make('canvas'));
 
   /**
@@ -46,7 +47,9 @@ export class Words {
    * @param {CanvasTextAlign} [align]
    */
   say(words, x, y, color, font = letters(13), align = 'left') {
-    const word = this.#measured({ words, x, y, color, font, align });
+    let word = this.#measured({ words, x, y, color, font, align });
+    const beyond = word.box[2] - this.edge;
+    if (beyond > 0) word = this.#measured({ ...word, x: x - beyond });
     if (this.#clear(word)) this.all.push(word);
   }
   /**

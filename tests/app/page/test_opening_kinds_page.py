@@ -48,6 +48,16 @@ def test_a_phone_names_every_impact(open_page):
     expect(page.tab.locator(".happens li:visible")).to_have_count(page.header("main")["contacts"])
 
 
+def test_names_of_curves_end_within_a_phone(open_page):
+    page = open_page("?scene=two-balls&layout=opening&language=es", size=HANDS[1])
+    opened(page)
+    ends, width = page.evaluate("""() => {
+      const { box, words } = strikewave.page.opening.section;
+      return [words.all.map((word) => word.box[2]), box.width];
+    }""")
+    assert len(ends) > 5 and max(ends) <= width
+
+
 def test_impulses_that_take_no_time_are_drawn_as_such(open_page):
     """By balances there is no force: its track had nothing in it, from 0 to 0."""
     page = open_page("?scene=spring-mass&layout=opening")
