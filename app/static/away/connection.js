@@ -1,6 +1,6 @@
 // The connection to the server. That it is lost is said once something waits for it: what is shown plays on, and the
-// browser answers what it can. When a server answers again the page comes back with all that it showed: the address holds
-// the choices, the browser the rest.
+// browser answers what it can. When a server answers again the page comes back with all that it showed: the address
+// holds the choices, the browser the rest.
 import { text } from '../text/catalogue.js';
 import { documents } from '../browser/bokeh.js';
 import { make } from '../browser/dom.js';
@@ -112,11 +112,12 @@ export class Connection {
    * @param {boolean} made  whether that is shown
    */
   #mark(made) {
-    const { bodies, layout, root } = this.page;
+    const { bodies, root, story } = this.page;
+    const { warnings } = /** @type {{ warnings?: { list: HTMLElement } }} */ (story); // not of all kinds
     root.classList.toggle('unserved', made);
-    for (const [k, place] of [layout.tabs.panel('story'), bodies.root].entries())
+    for (const [k, place] of [warnings?.list, bodies.list].entries())
       if (!made) this.lacks[k].remove();
-      else if (this.lacks[k].parentElement !== place) place.prepend(this.lacks[k]);
+      else if (place?.nextSibling !== this.lacks[k]) place?.after(this.lacks[k]);
   }
   /**
    * What was asked for cannot be had.
