@@ -12,7 +12,7 @@ import { Bodies } from './form/bodies.js';
 import { Caption } from './frame/caption.js';
 import { Changes } from './wire/changes.js';
 import { Closer } from './wire/closer.js';
-import { cameBack, Connection } from './wire/connection.js';
+import { Connection } from './away/connection.js';
 import { Controls } from './form/controls.js';
 import { make } from './browser/dom.js';
 import { Help } from './frame/help.js';
@@ -34,7 +34,7 @@ import { Symbols } from './frame/symbols.js';
 import { Take } from './frame/take.js';
 import { Toast } from './frame/toast.js';
 import { times } from './clock/times.js';
-import { goOn, stateOf } from './frame/state.js';
+import { cameBack, goOn, keepState } from './frame/state.js';
 import { Waiting } from './frame/waiting.js';
 import { SpaceView } from './space/view.js';
 import { text } from './text/catalogue.js';
@@ -64,7 +64,7 @@ export class Page {
     /** @type {Changes} */
     this.changes = new Changes({
       ...{ model, lost: () => Boolean(this.connection?.lost) },
-      ...{ sent: () => this.#sent(), kept: () => this.connection.tell() },
+      ...{ sent: () => this.#sent(), kept: () => this.connection?.tell() },
     });
     this.controls = new Controls(this);
     this.bodies = new Bodies(this);
@@ -106,7 +106,7 @@ export class Page {
     this.root.append(this.toast.root, this.help.root);
     const sheets = alone ? ['sheets.css'] : ['sheets.css', 'frame/embedded.css'];
     el.append(...sheets.map(sheet), this.root, this.waiter.root);
-    this.connection = new Connection(this, () => stateOf(this));
+    this.connection = Connection && new Connection(this); // a folder has none that could be lost
     this.listen(model);
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene
@@ -196,14 +196,14 @@ export class Page {
     for (const { stage, stack } of Object.values(this.views))
       for (const part of [stage.root, ...(stack ? [stack.root] : [])]) resized.observe(part);
     for (const { axis } of Object.values(this.views)) axis?.watch(() => this.zoomed());
-    const left = () => this.connection.keep();
+    const left = () => keepState(this);
     window.addEventListener('pagehide', left);
     model.on('remove', () => {
       window.removeEventListener('pagehide', left);
       this.history.leave();
       this.player.playing = false;
       this.layout.leave();
-      this.connection.leave();
+      this.connection?.leave();
       resized.disconnect();
       settled();
       deaf();

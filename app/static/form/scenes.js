@@ -88,7 +88,7 @@ export class Scenes {
       return await this.fetched;
     } catch {
       this.fetched = undefined;
-      page.complain(text('gallery.lost'));
+      if (!page.connection?.miss('gallery')) page.complain(text('gallery.lost'));
       return undefined;
     }
   }

@@ -1,9 +1,14 @@
 // What the page shows besides what its address says, to come back with: clock, zoom, tab, choices not yet answered.
+import { alone } from '../browser/home.js';
+import { keep, kept } from '../browser/store.js';
 
 /** @import { Page } from '../page.js' */
 
+const NAME = 'resume'; // under which it is kept from one page to the next
+const FRESH = 120_000; // ms for which it is gone on with
+
 /** @param {Page} page */
-export function stateOf(page) {
+function stateOf(page) {
   const { bodies, controls, frame, layout, model, names, player, waiting } = page;
   const unanswered = names.filter((name) => frame && model[name] !== frame.chosen[name]);
   return {
@@ -19,6 +24,27 @@ export function stateOf(page) {
     wanted: { ...Object.fromEntries(unanswered.map((name) => [name, model[name]])), ...waiting },
     scrolled: controls.root.parentElement?.parentElement?.scrollTop ?? 0,
   };
+}
+
+/**
+ * What is shown, for when this page is come back to.
+ * @param {Page} page
+ */
+export function keepState(page) {
+  if (alone) keep(NAME, { ...stateOf(page), at: Date.now() }, true);
+}
+
+/**
+ * The state with which the page has come back, once.
+ * @returns {Record<string, any> | null}
+ */
+export function cameBack() {
+  if (!alone) return null;
+  const state = kept(NAME, /** @type {Record<string, any> | null} */ (null), true);
+  keep(NAME, undefined, true);
+  const [how] = performance.getEntriesByType('navigation');
+  const again = 'type' in how && how.type !== 'navigate'; // the same page, not another visit
+  return state && again && Date.now() - state.at < FRESH ? state : null;
 }
 
 /**

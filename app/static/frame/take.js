@@ -53,7 +53,7 @@ export class Take {
     try {
       await act();
     } catch {
-      this.page.complain(text('take.lost'));
+      if (!this.page.connection?.miss('files')) this.page.complain(text('take.lost'));
     }
   }
   /**

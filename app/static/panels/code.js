@@ -93,8 +93,15 @@ class Code extends Panel {
     }
   }
   fill() {
-    const { frame } = this.page;
+    const { frame, own } = this.page;
     if (this.root.hidden || !frame) return;
+    const awaited = own.made.has(frame); // its head says what the server has solved
+    this.root.ariaBusy = String(awaited);
+    for (const { root } of this.parts) root.hidden = awaited;
+    if (awaited) {
+      this.said.textContent = text('page.not-yet');
+      return;
+    }
     const { scene, others } = partsOf(frame.head);
     const { file } = this;
     const written = { scene, command: commandsOf(file, others), python: pythonOf(file, others) };

@@ -135,6 +135,6 @@ export class OwnAnswers {
     page.opening.draw(true);
     page.player.load(page.view.clock(frame));
     page.tell();
-    page.connection.tell(); // there may be no server
+    page.connection?.tell(); // there may be no server
   }
 }

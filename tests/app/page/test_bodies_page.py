@@ -199,13 +199,12 @@ def test_a_value_that_has_no_answer_yet_comes_back_with_the_page(open_page):
     page = open_page()
     page.evaluate(
         """() => {
-          const { bodies, connection, model } = strikewave.page;
+          const { bodies, model } = strikewave.page;
           strikewave.page.model = new Proxy(model, {  // nothing is sent
             set: (all, name, value) => name === 'body_value' || Reflect.set(all, name, value),
           });
           bodies.set('target.length', 0.6);
           bodies.set('impactor.mass', 0.5);
-          connection.keep();
         }"""
     )
     page.tab.reload()

@@ -7,26 +7,38 @@ from playwright.sync_api import expect
 
 from ..conftest import Page
 
-TICKS = 30  # of 100 ms, within which a loss is said: by a timer of the page, which a busy machine slows with all else
+TICKS = 30  # of 100 ms, within which a loss is noticed: by a timer of the page, which a busy machine slows
 BACK = 60_000  # ms for a server to start on a busy machine, and the page to find it
 LOST = "The connection to the server is lost"
+READY = "() => strikewave.page.own.answers"
+SHOWN = "() => strikewave.page.frame.chosen.mass_ratio"
 
 
-def said(page, words: str) -> None:
-    """Wait until a loss is said, and soon: `watch` was called before."""
-    expect(page.tab.get_by_role("alert").filter(has_text=words)).to_be_visible()
+def soon(page) -> None:
+    """A loss has been noticed by now, and soon: `watch` was called before."""
     assert page.evaluate("() => window.ticks") <= TICKS
 
 
 def watch(page) -> None:
-    """Count the ticks until something is said."""
+    """Count the ticks until a loss is noticed."""
     page.evaluate(
         """() => {
-          const alert = strikewave.page.root.getRootNode().querySelector('.connection');
+          const { connection } = strikewave.page;
           window.ticks = 0;
-          const timer = setInterval(() => (alert.hidden ? window.ticks++ : clearInterval(timer)), 100);
+          const timer = setInterval(() => (connection.lost ? clearInterval(timer) : window.ticks++), 100);
         }"""
     )
+
+
+def quiet(page) -> None:
+    """Wait until a loss is known, of which only those hear who hear the page."""
+    expect(page.tab.get_by_role("status").filter(has_text="There is no connection")).to_be_attached()
+    expect(page.tab.get_by_role("alert")).to_be_hidden()
+
+
+def waits(page, words: str) -> None:
+    """Wait until it is said what waits for the server."""
+    expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_contain_text(words)
 
 
 @pytest.fixture
@@ -45,18 +57,22 @@ def open_on(browser, own_server):
 
 
 @pytest.mark.slow
-def test_a_lost_server_is_said_playback_goes_on_and_the_page_comes_back(own_server, open_on):
+def test_without_a_server_playback_goes_on_and_the_page_comes_back(own_server, open_on):
     page = open_on("?scene=free-rod&mass_ratio=2.5")
+    page.wait(READY)
     page.turn_to("Numbers")
     page.evaluate("() => { strikewave.page.player.go(0.4); strikewave.page.axial.axis.show([0.25, 0.75]); }")
     page.evaluate("() => { strikewave.page.player.pace.value = '0.1'; strikewave.page.player.toggle(); }")
     page.evaluate("() => { window.same = true; }")
     watch(page)
     own_server.end()
-    said(page, LOST)
+    quiet(page)
+    soon(page)
     t = page.evaluate("() => strikewave.page.player.t")
     page.wait("t => strikewave.page.player.t !== t", t)
-    page.evaluate("() => strikewave.page.choose('speed', 3)")  # which nobody takes now
+    page.evaluate("() => strikewave.page.choose('speed', 3)")
+    page.wait("() => strikewave.page.frame.chosen.speed === 3")
+    quiet(page)
     own_server.start()
     page.wait("() => !window.same && window.strikewave?.page.frame.chosen.speed === 3", timeout=BACK)
     assert page.header("chosen")["scene"] == "free-rod"
@@ -64,11 +80,7 @@ def test_a_lost_server_is_said_playback_goes_on_and_the_page_comes_back(own_serv
     assert page.evaluate("() => strikewave.page.player.playing")
     assert page.evaluate("() => strikewave.page.player.pace.value") == "0.1"
     assert page.evaluate("() => strikewave.page.layout.tabs.selected") == "numbers"
-    expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_be_hidden()
-
-
-READY = "() => strikewave.page.own.answers"
-SHOWN = "() => strikewave.page.frame.chosen.mass_ratio"
+    expect(page.tab.get_by_role("alert")).to_be_hidden()
 
 
 @pytest.mark.slow
@@ -82,21 +94,73 @@ def test_a_server_that_goes_while_a_slider_is_dragged(own_server, open_on):
     page.tab.mouse.down()
     page.tab.mouse.move(first + 20, y, steps=10)
     own_server.end()
-    expect(page.tab.get_by_role("alert")).to_contain_text("Sliders go on")
+    quiet(page)
     before = page.evaluate(SHOWN)
     page.tab.mouse.move(first + 40, y, steps=10)
     page.wait(f"before => ({SHOWN})() > before", before)
     page.tab.mouse.up()
     page.tab.wait_for_timeout(600)  # until the hand has rested, and what is awaited would be said
     expect(page.tab.get_by_text("Solving")).to_be_hidden()
-    expect(page.tab.get_by_role("alert")).to_contain_text("Sliders go on")
+    quiet(page)
+    expect(page.tab.get_by_text("Warnings come from the server")).to_be_attached()
+    expect(page.tab.get_by_text("Masses and sizes come from the server")).to_be_visible()
+    expect(page.tab.locator(".body-list")).to_be_hidden()
     last = page.evaluate(SHOWN)
     page.evaluate("() => strikewave.page.choose('method', 'fe-nodal')")  # which the server alone knows
-    expect(page.tab.get_by_role("alert")).to_contain_text("waits until it is back")
+    waits(page, "What you have chosen waits")
+    page.evaluate("() => { window.same = true; }")
+    page.tab.mouse.move(first + 40, y)
+    page.tab.mouse.down()
     own_server.start()
+    page.tab.wait_for_timeout(3000)  # in which it would come back
+    assert page.evaluate("() => window.same")
+    page.tab.mouse.up()
     page.wait("() => window.strikewave?.page.frame.chosen.method === 'fe-nodal'", timeout=BACK)
     assert page.evaluate(SHOWN) == last
     expect(page.tab.get_by_role("alert")).to_be_hidden()
+    expect(page.tab.locator(".body-list")).to_be_visible()
+
+
+ANALYSIS = "() => { const { analyses } = strikewave.page; analyses.open(analyses.byName.get('modes')); }"
+
+
+@pytest.mark.slow
+def test_what_waits_for_a_lost_server_is_said(own_server, open_on):
+    page = open_on("?scene=free-rod&layout=opening")
+    page.wait(READY)
+    own_server.end()
+    quiet(page)
+    page.tab.locator("button.scene").click()
+    waits(page, "The scenes can be fetched")
+    page.evaluate("() => strikewave.page.choose('mass_ratio', 0.7)")
+    page.wait(f"() => ({SHOWN})() === 0.7")
+    page.tab.locator("button.take").click()
+    page.tab.get_by_text("Histories (CSV)").click()
+    waits(page, "That can be saved")
+    page.tab.get_by_role("button", name="Analysis").click()
+    page.evaluate(ANALYSIS)
+    waits(page, "The analysis waits")
+    page.tab.get_by_role("tab", name="Story").click()
+    page.evaluate("() => { strikewave.page.connection.missed.until = 0; }")
+    quiet(page)
+    page.evaluate("() => strikewave.page.compare.keep()")
+    waits(page, "What you keep waits")
+    page.evaluate("() => strikewave.page.bodies.set('target.length', 0.6)")
+    waits(page, "The value that you have set waits")
+    page.evaluate("() => strikewave.page.choose('scene', 'bronze-rod-steel-ball')")
+    waits(page, "The other scene waits")
+    own_server.start()
+    page.wait("() => window.strikewave?.page.frame.chosen.scene === 'bronze-rod-steel-ball'", timeout=BACK)
+    expect(page.tab.get_by_role("alert")).to_be_hidden()
+
+
+@pytest.mark.slow
+def test_where_the_browser_answers_nothing_a_lost_server_is_said_at_once(own_server, open_on):
+    page = open_on(script="delete globalThis.WebAssembly;")
+    watch(page)
+    own_server.end()
+    waits(page, "What you choose waits")
+    soon(page)
 
 
 @pytest.mark.slow
@@ -104,11 +168,12 @@ def test_a_server_that_hangs_is_noticed_by_who_waits_for_it(own_server, open_on)
     page = open_on()
     own_server.process.send_signal(signal.SIGSTOP)
     watch(page)
-    page.evaluate("() => strikewave.page.choose('speed', 2)")
-    said(page, LOST)
+    page.evaluate("() => strikewave.page.choose('method', 'fe-nodal')")
+    waits(page, "What you have chosen waits")
+    soon(page)
     own_server.process.send_signal(signal.SIGCONT)
-    page.wait("() => window.strikewave?.page.frame.chosen.speed === 2", timeout=BACK)
-    expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_be_hidden()
+    page.wait("() => window.strikewave?.page.frame.chosen.method === 'fe-nodal'", timeout=BACK)
+    expect(page.tab.get_by_role("alert")).to_be_hidden()
 
 
 TAKE_SOCKET = """() => {
@@ -122,9 +187,7 @@ def test_a_session_that_has_ended_is_replaced_by_another_with_the_same_state(ope
     page.evaluate(TAKE_SOCKET)
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('speed', 2)"))
     page.wait("() => location.search.includes('speed=2')")
-    watch(page)
     page.evaluate("() => { window.same = true; strikewave.page.player.go(0.7); socket.close(); }")
-    said(page, "connection")
     page.wait("() => !window.same && window.strikewave?.frames > 0", timeout=BACK)
     page.wait("() => strikewave.page.player.t === 0.7")
     chosen = page.header("chosen")

@@ -86,8 +86,11 @@ def test_the_example_of_the_docs_solves_what_its_sliders_choose(serve):
     assert page.tab.url == address
     assert page.errors == [] and page.foreign == []
     end_server()
+    expect(page.tab.get_by_role("status").filter(has_text="There is no connection")).to_be_attached()
     lost = page.tab.get_by_role("alert")
-    expect(lost).to_contain_text("all else waits")
+    expect(lost).to_be_hidden()
+    page.evaluate("() => strikewave.page.choose('method', 'fe-nodal')")
+    expect(lost).to_contain_text("What you have chosen waits")
     expect(lost).not_to_contain_text("comes back")  # which is for the page to do
 
 

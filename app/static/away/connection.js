@@ -1,12 +1,13 @@
-// The connection to the server. When it is lost that is said at once, and whether what is chosen waits for it; what is
-// shown plays on, and when a server answers again the page comes back with all that it showed: the address holds the
-// choices, the browser the rest.
+// The connection to the server. That it is lost is said once something waits for it: what is shown plays on, and the
+// browser answers what it can. When a server answers again the page comes back with all that it showed: the address
+// holds the choices, the browser the rest.
 import { text } from '../text/catalogue.js';
 import { documents } from '../browser/bokeh.js';
 import { make } from '../browser/dom.js';
-import { alone, carried, served } from '../browser/home.js';
-import { keep, kept } from '../browser/store.js';
+import { alone, served } from '../browser/home.js';
+import { keepState } from '../frame/state.js';
 
+/** @import { Frame } from '../messages.js' */
 /** @import { Page } from '../page.js' */
 
 const LATE = 800; // ms without an answer after which the server is asked whether it is there
@@ -15,8 +16,8 @@ const TICK = 300; // ms between looks at the clock
 const REGULAR = 20_000; // ms between questions while all is well
 const AGAIN = 1000; // ms between them while it is not, at first
 const SELDOM = 8000; // and later
-const NAME = 'resume'; // under which the state is kept from one page to the next
-const FRESH = 120_000; // ms for which it is gone on with
+const SAID = 10_000; // ms for which it is said that something cannot be had
+const PARTS = /** @type {const} */ (['story', 'bodies']); // of which the browser knows less than the server
 
 export class Connection {
   lost = false;
@@ -26,24 +27,23 @@ export class Connection {
   /** @type {number | undefined} */ watch;
   offline = () => this.#lose();
   asked = performance.now(); // when the server was asked last
+  missed = { what: '', until: 0 }; // what was asked for and cannot be had
+  /** @type {Frame | null} */ filled = null; // that analyses have heard of
 
-  /**
-   * @param {Page} page
-   * @param {() => unknown} state  to come back with
-   */
-  constructor(page, state) {
+  /** @param {Page} page */
+  constructor(page) {
     const { model } = page;
     this.page = page;
     this.model = model;
-    this.state = state;
     this.pause = AGAIN;
     this.root = make('div', { className: 'connection', role: 'alert', hidden: true });
     this.words = make('span');
     const onclick = () => this.#return();
     const reload = make('button', { type: 'button', textContent: text('connection.reload'), onclick });
     this.root.append(this.words, reload);
-    page.root.append(this.root);
-    if (carried) return; // nothing that could be lost
+    this.quiet = make('div', { className: 'away', role: 'status' });
+    page.root.append(this.root, this.quiet);
+    this.lacks = PARTS.map((part) => make('p', { className: 'help', textContent: text('connection.lacks', { part }) }));
     model.on('disconnected', () => this.#turnedOut());
     for (const shown of documents()) {
       shown.on_event('connection_lost', () => this.#lose(true));
@@ -65,6 +65,7 @@ export class Connection {
   /** A server that hangs, or a line that is cut, closes no socket: it is asked when an answer is late, and at times. */
   async #watch() {
     const now = performance.now();
+    this.tell();
     if (this.lost || this.closed || document.hidden) return;
     const due = this.page.changes.late > LATE && now - this.asked > LATE;
     if (!due && now - this.asked < REGULAR) return;
@@ -81,10 +82,52 @@ export class Connection {
     this.tell();
     if (alone || !cut) this.#look(); // when another's page comes back is its own affair
   }
-  /** What goes on without a server, and what does not. */
+  /** What waits for the server while there is none; of the rest no more than a line. */
   tell() {
-    if (!this.lost || this.closed) return;
-    this.#say(text(this.model.disconnected || (this.page.own.behind ? 'connection.waits' : 'connection.lost')));
+    const { analyses, changes, frame, own } = this.page;
+    if (!this.lost || this.closed || own.due) return; // whether it can be answered here is not known yet
+    const made = own.made.has(frame);
+    if (made && !changes.resting && this.filled !== frame) analyses.take(frame);
+    this.filled = frame;
+    this.#mark(made);
+    const what = this.#awaited;
+    const sentence = own.answers ? what && text('connection.waits', { what }) : text('connection.lost');
+    this.#say(this.model.disconnected ? text(this.model.disconnected) : sentence, text('connection.quiet'));
+  }
+  /** What waits for the server, by its name in the texts, or nothing. */
+  get #awaited() {
+    const { analyses, bodies, changes, compare, frame, model, own } = this.page;
+    const { goal, waiting } = changes;
+    const scene = goal?.scene ?? waiting.scene ?? model.scene;
+    if (goal || own.behind) return scene === frame.chosen.scene ? 'choice' : 'scene';
+    if (bodies.unanswered.length) return 'body';
+    if (compare.due) return 'kept';
+    const seen = analyses.all.filter(({ open, root }) => open && root.getClientRects().length);
+    const running = model.stability_running || model.tradeoff_running;
+    if (seen.some(({ root }) => running || root.ariaBusy === 'true')) return 'analysis';
+    return performance.now() < this.missed.until ? this.missed.what : '';
+  }
+  /**
+   * Beside an answer of the browser's own, what it lacks.
+   * @param {boolean} made  whether that is shown
+   */
+  #mark(made) {
+    const { bodies, root, story } = this.page;
+    const { warnings } = /** @type {{ warnings?: { list: HTMLElement } }} */ (story); // not of all kinds
+    root.classList.toggle('unserved', made);
+    for (const [k, place] of [warnings?.list, bodies.list].entries())
+      if (!made) this.lacks[k].remove();
+      else if (place?.nextSibling !== this.lacks[k]) place?.after(this.lacks[k]);
+  }
+  /**
+   * What was asked for cannot be had.
+   * @param {'gallery' | 'files'} what
+   * @returns {boolean}  whether that is said here, as there is no server
+   */
+  miss(what) {
+    if (this.lost) this.missed = { what, until: performance.now() + SAID };
+    this.tell();
+    return this.lost;
   }
   /** Ask until there is a server with room; then go on there. */
   #look() {
@@ -97,45 +140,38 @@ export class Connection {
     if (this.closed) return;
     if (!(await answers(served('liveness')))) this.#look();
     else if (!this.cut) this.#found();
-    else if (await answers(window.location)) {
-      this.#say(text('connection.back'));
+    else if (document.querySelector(':active')) {
+      this.pause = AGAIN; // not while a hand drags
+      this.#look();
+    } else if (await answers(window.location)) {
+      if (!this.root.hidden) this.#say(text('connection.back'));
       this.#return();
     } else this.#look();
   }
   /** It was only slow, or the line was: the session is still there. */
   #found() {
     this.lost = this.cut = false;
+    this.missed.until = 0;
+    this.#mark(false);
     this.#say('');
     this.page.changes.flush();
   }
   #return() {
-    this.keep();
+    keepState(this.page);
     window.location.reload();
   }
-  /** What is shown, for when this page is come back to. */
-  keep() {
-    if (alone) keep(NAME, { ...Object(this.state()), at: Date.now() }, true);
-  }
-  /** @param {string} sentence */
-  #say(sentence) {
+  /**
+   * @param {string} sentence
+   * @param {string} [quiet]  what is said where that is nothing, to those who hear the page
+   */
+  #say(sentence, quiet = '') {
+    const line = sentence ? '' : quiet;
+    if (this.quiet.textContent !== line) this.quiet.textContent = line;
     if (this.words.textContent === sentence) return; // which is read out whenever it is set
     this.words.textContent = sentence;
     this.root.hidden = !sentence;
     this.root.parentElement?.classList.toggle('lost', Boolean(sentence));
   }
-}
-
-/**
- * The state with which the page has come back, once.
- * @returns {Record<string, any> | null}
- */
-export function cameBack() {
-  if (!alone) return null;
-  const state = kept(NAME, /** @type {Record<string, any> | null} */ (null), true);
-  keep(NAME, undefined, true);
-  const [how] = performance.getEntriesByType('navigation');
-  const again = 'type' in how && how.type !== 'navigate'; // the same page, not another visit
-  return state && again && Date.now() - state.at < FRESH ? state : null;
 }
 
 /**
