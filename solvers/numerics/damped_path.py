@@ -6,6 +6,7 @@ so. By collocation; the deepest indentation and the parting are instants of thei
 
 import math
 
+from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from .quadrature import gauss_within
 from .waves.laws import FORCE, STORED
@@ -103,6 +104,7 @@ def follow_damped(asked, constants, slopes, mass, speed, unit, cell, course):
     units = speed * unit, speed, mass * speed / unit
     root, rate, time, loading, parted = 0.0, 1.0, 0.0, True, False
     for k in range(course.time.size):
+        check_time()
         depth, force, stored = units[0] * root * root, 0.0, 0.0
         if not parted:
             force = asked(FORCE, constants, max(depth, TOUCHED), speed * rate, 0.0, slopes)
