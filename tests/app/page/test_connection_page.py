@@ -6,6 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from ..conftest import Page
+from .moved import READY
 
 TICKS = 30  # of 100 ms, within which a loss is said: by a timer of the page, which a busy machine slows with all else
 BACK = 60_000  # ms for a server to start on a busy machine, and the page to find it
@@ -67,7 +68,6 @@ def test_a_lost_server_is_said_playback_goes_on_and_the_page_comes_back(own_serv
     expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_be_hidden()
 
 
-READY = "() => strikewave.page.own.answers"
 SHOWN = "() => strikewave.page.frame.chosen.mass_ratio"
 
 
