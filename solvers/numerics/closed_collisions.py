@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numba.extending import register_jitable
 
+from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from .waves.drawn import instant
 
@@ -93,6 +94,8 @@ def follow_power(stiffness, exponent, mass, speed, course):
     last = course.time.size - 1
     half = (first + second) * share * deepest / speed
     for k in range(last // 2 + 1):
+        if k % 16 == 0:
+            check_time()
         part = instant(k, last // 2 + 1, 1.0)
         depth, rate = _moved(part, share, first, second)
         for n, way in ((k, 1.0), (last - k, -1.0)):

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from .waves.laws import DENT
@@ -67,6 +68,8 @@ def _highest(first, last, step, window, force, impulses):
     """The largest resolved force at the instants from one to another."""
     found = 0.0
     for k in range(first, last + 1):
+        if k % 4096 == 0:
+            check_time()
         found = max(found, _resolved(k * step, step, window, force, impulses))
     return found
 
@@ -191,6 +194,7 @@ def contacts(record, deepest, impulses, runs, known, law, constants, slopes, tab
         anew = k + 1 == runs.shape[0] or _apart(after, runs[k + 1, 0], record, known, dent)
         if not anew:
             continue
+        check_time()  # before the end, which looks for who opens later in all steps
         row = table[count - 1]
         row[IMPULSE], row[PEAK] = impulses[after] - impulses[begun], force[begun]
         if known.rigid:

@@ -9,6 +9,7 @@ import math
 import numpy as np
 from numba.extending import register_jitable
 
+from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from .quadrature import gauss_within
 from .waves.laws import CORNER, DENT, FORCE, STORED
@@ -45,6 +46,7 @@ def _cell(ask, constants, slopes, path, cell, pull, run):
 @inner_kernel
 def _work(ask, constants, slopes, low, high, cell):
     """Of loading from one indentation to another, with one formula in between."""
+    check_time()
     done, no = 0.0, np.bool_(False)
     for k in range(CELLS):
         done += _cell(ask, constants, slopes, (low, high, 0.0, no, low == 0.0), k, cell[0], cell[1])
@@ -98,6 +100,7 @@ def _fallen(ask, constants, slopes, path, given, mass, cell, begin, way, course)
     square root, and ends at the bottom, where the force ends as a power: the variable u runs over both smoothly. given:
     what has been given back above it [J].
     """
+    check_time()
     low, high, _, top, bottom = path
     above, time, at = given, course.time[begin], begin
     course.indentation[at], course.rate[at] = high, above

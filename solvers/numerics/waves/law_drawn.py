@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ...jit.clock import check_time
 from ...jit.kernels import inner_kernel, kernel
 from ...jit.reference import refer
 from .drawn import BEYOND, NO_ROOM, SOLVED, history_of, instant, samples_of
@@ -215,6 +216,7 @@ def answer(chain, record, state, work, law, of_law, ends, points, pressing, cont
     found = drawn.jumps[: sent_jumps(record, 0, OUT_RIGHT, drawn.jumps)]
     sent = record, np.int64(0), np.int64(OUT_RIGHT), last
     out[WAVE_POINTS] = kept_history(points, last, found, sent, drawn.wave_time, drawn.wave)
+    check_time()
     _motions(record, last, drawn.mass, drawn.end, drawn.whole)
     _figures(chain, record, law, own, slopes, parted, last, out)
     _cycle(record, law, own, slopes, min(last, BEYOND * parted), out[DEEPEST], *cycle)

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...jit.clock import check_time
 from ...jit.kernels import inner_kernel, kernel
 from .collocation import INTEGRATE, SLOPE_AT_END, SLOPE_AT_START, STAGE_NODES, STAGES, interpolate
 
@@ -86,6 +87,8 @@ def highest(record, node, quantity, first, last):
     """The largest value in the stretches first to last of a node, by golden section between the samples."""
     best = 0.0
     for n in range(first, last + 1):
+        if n % 64 == 0:
+            check_time()
         values = record.values[node, n, quantity]
         place, here = 0.0, values[0]
         for i in range(1, 13):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ...jit.clock import check_time
 from ...jit.kernels import inner_kernel, kernel
 from .drawn import NO_ROOM, SOLVED, history_of, instant, samples_of
 from .rigid import FOREVER, PARTED, strike, total_at, wave_at
@@ -69,6 +70,8 @@ def _motions(last, reflection, contacts, kappa, start, coefficients, degrees, in
     """Write the paths of mass and struck end, together while they touch, and of the centre of the rod, (4.29)."""
     moved, before = 0.0, 0.0
     for i in range(mass.size):
+        if i % 16 == 0:
+            check_time()
         t = instant(i, mass.size, last)
         now = total_at(t, kappa, start, coefficients, degrees, integral)
         half = total_at(t - 0.5, kappa, start, coefficients, degrees, integral)

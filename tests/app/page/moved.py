@@ -6,7 +6,11 @@ from typing import Any
 
 import pytest
 
-READY = "() => strikewave.page.own.answers !== null"
+READY = """() => {
+  const { answers } = strikewave.page.own;
+  if (answers) answers.longest = Infinity; // however busy the machine is
+  return answers !== null;
+}"""
 STATE = """() => {
   const { exact, duration, f0, exactMass, exactForce, match, prediction, ...frame } = strikewave.page.frame;
   const { peakForce, contacts, restitution, energy, final, targetFinal, left, cutOff } = exact;
@@ -20,7 +24,6 @@ MOVE = """async ([name, values]) => {
   const { page } = strikewave, { own } = page, seen = [];
   for (const value of values) {
     const before = own.count;
-    Object.assign(own, { resumes: 0 }).answers.longest = Infinity; // however busy the machine is
     page.controls.send(name, value);
     for (let k = 0; own.count === before && k < 100; k++) await new Promise((done) => requestAnimationFrame(done));
     seen.push([own.made.has(page.frame), page.frame.chosen[name]]);

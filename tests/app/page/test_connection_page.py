@@ -6,11 +6,11 @@ import pytest
 from playwright.sync_api import expect
 
 from ..conftest import Page
+from .moved import READY
 
 TICKS = 30  # of 100 ms, within which a loss is noticed: by a timer of the page, which a busy machine slows
 BACK = 60_000  # ms for a server to start on a busy machine, and the page to find it
 LOST = "The connection to the server is lost"
-READY = "() => strikewave.page.own.answers"
 SHOWN = "() => strikewave.page.frame.chosen.mass_ratio"
 
 

@@ -181,6 +181,13 @@ def test_after_an_answer_that_takes_too_long_the_server_answers_for_a_while(open
     page.wait("() => strikewave.page.own.count > 0")
 
 
+def test_an_answer_is_practised_before_any_is_asked_for(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    page.wait("() => strikewave.page.own.answers?.rest > 0")  # of an answer, until memory is given back
+    assert page.evaluate("() => strikewave.page.own.count") == 0
+    assert not page.evaluate("() => strikewave.page.own.made.has(strikewave.page.frame)")
+
+
 def test_it_goes_on_without_a_server(open_page):
     page = open_page()
     page.wait(READY)

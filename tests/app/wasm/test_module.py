@@ -24,10 +24,6 @@ from solvers.scenes.library import scene_of
 
 from . import native
 from .answered import FIREFOX, Answers, by_firefox, by_node
-from .test_balances import given_of as given_of_balance
-from .test_balances import random_impacts as balanced
-from .test_chains import given_of as given_of_chain
-from .test_chains import random_scenes as chains
 
 RANDOM = np.random.default_rng(41)
 RATIOS = (1e-3, 0.02, 0.25, 1.0, 4.0, 50.0, 1e3)
@@ -43,7 +39,6 @@ MOST_ATTACHED = 100
 ACROSS, BEAM_MODES, FEW_CONTACTS = 300, (1, 5, 10, 30), 6
 BETWEEN = 1e-3  # of the largest value: what straight lines between other instants differ by
 NEARLY_FULL = 0.75  # of what there is room for: where rounding makes contacts, either may find some more of them
-LEFT, LOOKS = 20, 10  # impacts of each kind; times that the longest of these look at the clock, at least
 DRAWN_TOO = 40  # of them, the histories as well: they are long
 
 
@@ -205,22 +200,6 @@ def test_what_is_drawn_through_a_law_is_the_solution(name, kind):
     rows = np.array(found["contacts"]).reshape(-1, 5)
     known = [[c.start / trip, c.end / trip, c.impulse / force / trip, c.peak_force / force] for c in solution.contacts]
     assert rows[:, :4] == pytest.approx(np.array(known), rel=1e-8, abs=1e-9)
-
-
-@pytest.mark.browser  # needs Node
-@pytest.mark.parametrize("share", [0.01, 0.5, 0.99])
-def test_a_kernel_whose_time_is_over_is_left_and_the_next_answer_is_the_same(share):
-    through, marched = [(random_scene(), random_time()) for _ in range(LEFT)], [random_march() for _ in range(LEFT)]
-    given = given_of(through, marched, [random_beam() for _ in range(LEFT)])
-    given["rod"] = given["rod"][:LEFT]
-    given["balance"] = [[given_of_balance(scene, method.solve(scene)), 0.0] for scene, method in balanced()[:LEFT]]
-    given["chain"] = [given_of_chain(scene) for scene in chains()[:LEFT]]
-    for kind, impacts in by_node(given, share=share).items():
-        for impact in impacts:
-            allowed = int(share * (impact["looks"] - 2))
-            assert impact["late"] and impact["until"] == allowed + 2, kind  # the first look begins, the last is late
-            assert impact["again"] == impact["answer"], kind
-        assert max(impact["looks"] for impact in impacts) > LOOKS, kind
 
 
 @pytest.mark.slow
