@@ -150,6 +150,7 @@ def test_what_waits_for_a_lost_server_is_said(own_server, open_on):
     waits(page, "The value that you have set waits")
     page.evaluate("() => strikewave.page.choose('scene', 'bronze-rod-steel-ball')")
     waits(page, "The other scene waits")
+    expect(page.tab.get_by_role("button", name="Reload")).to_be_hidden()  # by which the page would be gone
     own_server.start()
     page.wait("() => window.strikewave?.page.frame.chosen.scene === 'bronze-rod-steel-ball'", timeout=BACK)
     expect(page.tab.get_by_role("alert")).to_be_hidden()
