@@ -39,8 +39,8 @@ export class Connection {
     this.root = make('div', { className: 'connection', role: 'alert', hidden: true });
     this.words = make('span');
     const onclick = () => this.#return();
-    const reload = make('button', { type: 'button', textContent: text('connection.reload'), onclick });
-    this.root.append(this.words, reload);
+    this.reload = make('button', { type: 'button', textContent: text('connection.reload'), onclick });
+    this.root.append(this.words, this.reload);
     this.quiet = make('div', { className: 'away', role: 'status' });
     page.root.append(this.root, this.quiet);
     this.lacks = PARTS.map((part) => make('p', { className: 'help', textContent: text('connection.lacks', { part }) }));
@@ -112,12 +112,15 @@ export class Connection {
    * @param {boolean} made  whether that is shown
    */
   #mark(made) {
-    const { bodies, root, story } = this.page;
-    const { warnings } = /** @type {{ warnings?: { list: HTMLElement } }} */ (story); // not of all kinds
+    const { bodies, root } = this.page;
     root.classList.toggle('unserved', made);
+    if (!made) {
+      for (const each of this.lacks) each.remove();
+      return;
+    }
+    const { warnings } = /** @type {{ warnings?: { list: HTMLElement } }} */ (this.page.story); // not of all kinds
     for (const [k, place] of [warnings?.list, bodies.list].entries())
-      if (!made) this.lacks[k].remove();
-      else if (place?.nextSibling !== this.lacks[k]) place?.after(this.lacks[k]);
+      if (place?.nextSibling !== this.lacks[k]) place?.after(this.lacks[k]);
   }
   /**
    * What was asked for cannot be had.
@@ -170,6 +173,7 @@ export class Connection {
     if (this.words.textContent === sentence) return; // which is read out whenever it is set
     this.words.textContent = sentence;
     this.root.hidden = !sentence;
+    this.reload.hidden = alone && !this.closed; // it comes back by itself, and till then would be gone
     this.root.parentElement?.classList.toggle('lost', Boolean(sentence));
   }
 }

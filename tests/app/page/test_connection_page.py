@@ -52,7 +52,8 @@ def open_on(browser, own_server):
     yield open_one
     for page in opened:
         page.context.close()
-        refused = "net::ERR", "Failed to fetch", "503"  # no server; none yet, while one that is begun gets ready
+        # no server, or none yet, while one that is begun gets ready
+        refused = "net::ERR", "Failed to fetch", "503", "not connected"
         assert [error for error in page.errors if not any(word in error for word in refused)] == []
 
 
@@ -86,7 +87,7 @@ def test_without_a_server_playback_goes_on_and_the_page_comes_back(own_server, o
 @pytest.mark.slow
 def test_a_server_that_goes_while_a_slider_is_dragged(own_server, open_on):
     """The drag is answered on; nothing is said to be solved that is not; what is chosen last is there in the end."""
-    page = open_on()
+    page = open_on("?layout=laboratory")
     page.wait(READY)
     box = page.tab.get_by_role("slider", name="Mass ratio").bounding_box()
     y, first = box["y"] + box["height"] / 2, box["x"] + box["width"] / 2
@@ -149,8 +150,27 @@ def test_what_waits_for_a_lost_server_is_said(own_server, open_on):
     waits(page, "The value that you have set waits")
     page.evaluate("() => strikewave.page.choose('scene', 'bronze-rod-steel-ball')")
     waits(page, "The other scene waits")
+    expect(page.tab.get_by_role("button", name="Reload")).to_be_hidden()  # by which the page would be gone
     own_server.start()
     page.wait("() => window.strikewave?.page.frame.chosen.scene === 'bronze-rod-steel-ball'", timeout=BACK)
+    expect(page.tab.get_by_role("alert")).to_be_hidden()
+
+
+@pytest.mark.slow
+def test_an_analysis_that_waited_is_answered_once_the_server_is_back(own_server, open_on):
+    page = open_on()
+    page.wait(READY)
+    own_server.end()
+    quiet(page)
+    page.evaluate("() => strikewave.page.choose('mass_ratio', 0.7)")
+    page.wait(f"() => ({SHOWN})() === 0.7")
+    page.tab.get_by_role("button", name="Analysis").click()
+    page.evaluate(ANALYSIS)
+    waits(page, "The analysis waits")
+    page.evaluate("() => { window.same = true; }")
+    own_server.start()
+    page.wait(f"() => !window.same && window.strikewave && ({SHOWN})() === 0.7", timeout=BACK)
+    page.wait("() => strikewave.page.analyses.byName.get('modes').root.ariaBusy === 'false'")
     expect(page.tab.get_by_role("alert")).to_be_hidden()
 
 
@@ -166,6 +186,7 @@ def test_where_the_browser_answers_nothing_a_lost_server_is_said_at_once(own_ser
 @pytest.mark.slow
 def test_a_server_that_hangs_is_noticed_by_who_waits_for_it(own_server, open_on):
     page = open_on()
+    page.wait(READY)
     own_server.process.send_signal(signal.SIGSTOP)
     watch(page)
     page.evaluate("() => strikewave.page.choose('method', 'fe-nodal')")
