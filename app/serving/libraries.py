@@ -30,17 +30,15 @@ def extension() -> str:
     modules: dict[str, tuple[str, str]] = {}
     names: dict[str, str] = {}
     for file in EXTENSIONS:
-        text = file.read_text("utf-8")
-        if (end := END.search(text)) is None:
-            raise ValueError(f"{file.name}: the end of its modules is not found")
-        _, *parts = MODULE.split(text[: end.start()])
+        whole, paths, _ = END.split(file.read_text("utf-8"))
+        terms, *parts = MODULE.split(whole)
         modules |= zip(parts[::3], zip(parts[1::3], parts[2::3], strict=True), strict=True)
-        names |= {path: str(name) for path, name in json.loads(end[1]).items()}
+        names |= {path: str(name) for path, name in json.loads(paths).items()}
     needed = set(_needed([names[path] for path in MODELS.values()], modules, names))
     bodies = "".join(f'"{name}": {modules[name][1]}' for name in modules if name in needed)
     known = json.dumps({path: name for path, name in names.items() if name in needed})
     found = ", ".join(f'{model}: need("{path}").{model}' for model, path in MODELS.items())
-    terms, _ = text.split("*/", 1)  # of both: they are by the same
+    terms, _ = terms.split("*/", 1)  # of both: they are by the same
     return (
         f"{terms}*/\nBokeh.register_plugin({{\n{bodies}"
         f'"page": (need) => need("@bokehjs/base").register_models({{ {found} }})}}, "page", {known});\n'

@@ -10,7 +10,6 @@ import urllib.request
 import pytest
 
 from app.choices.choices import SCENES
-from app.serving import libraries
 from app.serving.bundle import bundle, function
 from app.serving.libraries import CORE, extension
 from app.serving.pages import APART, FIGURES, LIBRARIES, SCRIPTS, STATIC, VERSION, shell, text_of
@@ -48,13 +47,6 @@ def test_of_what_extends_bokeh_the_page_loads_the_models_that_it_has():
     asked = {path for path in re.findall(r'\("@bokehjs/([\w/]+)"\)', text) if path not in core and path not in known}
     own = set(json.loads(text[text.rindex("{") : text.rindex("}") + 1]))
     assert asked <= own | {path.removesuffix("/index") for path in core}
-
-
-def test_a_script_of_another_form_is_refused_when_the_server_starts(tmp_path, monkeypatch):
-    (tmp_path / "panel.min.js").write_text("Bokeh.register_plugin({});")
-    monkeypatch.setattr(libraries, "EXTENSIONS", (tmp_path / "panel.min.js",))
-    with pytest.raises(ValueError, match=r"panel\.min\.js: the end of its modules is not found"):
-        extension.__wrapped__()
 
 
 def test_no_style_looks_at_what_an_element_contains():
