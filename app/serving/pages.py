@@ -11,8 +11,6 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-import bokeh.server
-import panel
 from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 
 from solvers.text.catalogue import SOURCE
@@ -28,15 +26,12 @@ from ..views.registry import FIGURES, PANELS
 from .bundle import bundle
 from .door import FULL
 from .language import ASKED, language_of
+from .libraries import CORE, PANEL, extension
 from .limits import MAX_PAGES_OF_ONE
 from .still import bare_frame, first_still
 
-LIBRARIES = (  # of the page, in this order: address, and the file there
-    ("libraries/bokeh.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh.min.js"),
-    ("libraries/bokeh-widgets.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh-widgets.min.js"),
-    ("libraries/bokeh-tables.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh-tables.min.js"),
-    ("libraries/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
-)
+# of the page, in this order: address, and the file there
+LIBRARIES = (("libraries/bokeh.min.js", CORE), ("libraries/panel.min.js", PANEL))
 ENTRY = "page.js"  # stands for all modules but those of these, which are fetched when they are wanted
 APART = {  # and what has been fetched before, beside all those
     "gallery/gallery.js": (),
@@ -98,7 +93,7 @@ def shell(first: bool, language: str) -> str:
         if name.endswith(ending)
     ]
     preloads = [f'<link rel="{kind}" href="assets/{VERSION}/{name}">' for kind, name in links]
-    versions = [sha256(file.read_bytes()).hexdigest()[:16] for _, file in LIBRARIES]
+    versions = [sha256(text_of(file)).hexdigest()[:16] for _, file in LIBRARIES]
     scripts = [
         f'<script src="{address}?v={version}" defer></script>'
         for (address, _), version in zip(LIBRARIES, versions, strict=True)
@@ -157,6 +152,8 @@ def text_of(file: Path) -> bytes:
         return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode()
     if file == STATIC / SHEETS:
         return styles()
+    if file == PANEL:
+        return extension().encode()
     if file.suffix == ".css":
         return SPARE.sub("", file.read_text("utf-8")).encode()
     name = file.relative_to(STATIC).as_posix() if file.is_relative_to(STATIC) else ""

@@ -52,6 +52,7 @@ export class Page {
   saidAt = 0;
   resumed = false;
   painted = 0; // frames so far
+  drawing = 0; // the picture at which all is drawn anew
 
   /**
    * @param {Model} model
@@ -156,10 +157,15 @@ export class Page {
     this.opening.settle();
     this.opening.lend();
     for (const { stack } of Object.values(this.views)) stack?.arrange();
-    requestAnimationFrame(() => this.redraw());
+    this.again();
+  }
+  /** Have it drawn at the next picture, once for all that asks for it by then. */
+  again() {
+    this.drawing ||= requestAnimationFrame(() => this.redraw());
   }
   /** Draw what is seen, at the size that it has now. */
   redraw() {
+    this.drawing = 0;
     if (!this.frame) return;
     this.drawCharts();
     this.player.go(this.player.t);
@@ -190,11 +196,8 @@ export class Page {
       });
     watchScrolling(this.root);
     const deaf = listenToKeys(this);
-    const again = () => requestAnimationFrame(() => this.redraw());
-    times.watch(() => [again(), this.tell()]);
-    const [resized, settled] = [new ResizeObserver(again), whenResized(again)];
-    for (const { stage, stack } of Object.values(this.views))
-      for (const part of [stage.root, ...(stack ? [stack.root] : [])]) resized.observe(part);
+    times.watch(() => [this.again(), this.tell()]);
+    const settled = whenResized(() => this.again());
     for (const { axis } of Object.values(this.views)) axis?.watch(() => this.zoomed());
     const left = () => keepState(this);
     window.addEventListener('pagehide', left);
@@ -204,7 +207,6 @@ export class Page {
       this.player.playing = false;
       this.layout.leave();
       this.connection?.leave();
-      resized.disconnect();
       settled();
       deaf();
     });
@@ -271,6 +273,7 @@ export class Page {
     if (this.root.dataset.kind !== this.kind) this.turn();
     this.root.classList.toggle('hangs', Boolean(this.view.hangs?.(frame)));
     this.view.load(this.frame);
+    if (this.resumed) this.view.draw();
     this.closer.later();
     if (!this.opening.placed) this.place();
     this.analyses.draw();
@@ -293,7 +296,6 @@ export class Page {
     this.place();
   }
   resume() {
-    this.resumed = true;
     this.own.prepare();
     document.getElementById('still')?.remove();
     this.analyses.resume();
@@ -302,6 +304,7 @@ export class Page {
     const state = this.opening.teaching.start() ? null : cameBack();
     if (state) goOn(this, state);
     else if (!timed && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) this.player.tour();
+    this.resumed = true;
   }
   /**
    * Words and address follow once the picture is painted, and not more often than they can be read.
@@ -341,7 +344,7 @@ export class Page {
   }
   /** @param {number} t */
   show(t) {
-    if (!this.frame) return;
+    if (!this.resumed) return; // it is drawn once all is in its place
     this.view.show(t);
     this.compare.show(t);
     this.opening.show(t);

@@ -101,6 +101,7 @@ export class AxialView {
   colour(what) {
     this.what = /** @type {What} */ (what);
     this.dress();
+    this.draw();
     this.page.player.go(this.page.player.t);
     this.page.history.later();
   }
@@ -142,6 +143,7 @@ export class AxialView {
     this.moments.load(frame);
     this.#gauge();
     this.dress();
+    this.draw();
     this.show(this.page.player.t);
   }
   // The field that the pictures show.
@@ -236,7 +238,6 @@ export class AxialView {
     this.stage.load(frame, field, what, largest);
     this.page.compare.share(this.stage);
     this.colours.show(what);
-    this.draw();
   }
   draw() {
     for (const part of [...this.charts, this.cycle]) if (!part.chart.root.hidden) part.draw();

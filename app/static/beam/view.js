@@ -149,7 +149,6 @@ export class BeamView {
     for (const button of this.colours.root.children)
       if (button instanceof HTMLElement) button.hidden = !this.shows(button.dataset.kind ?? '');
     this.dress();
-    this.draw();
   }
   /** Fields and histories of what is shown. */
   take() {

@@ -23,7 +23,8 @@ let resized;
 const RESIZED = new EventTarget();
 
 /**
- * Have something done whenever an element that was drawn on has another size, as when a chart above it is hidden.
+ * Have something done whenever an element that was to be drawn on has another size, as when a chart above it is hidden,
+ * or has one at last.
  * @param {() => void} act
  * @returns {() => void}  what ends it
  */
@@ -39,13 +40,13 @@ export function whenResized(act) {
  */
 export function sizeOf(root) {
   resized ??= new ResizeObserver((entries) => {
-    let drawn = false;
+    let other = false;
     for (const { target } of entries) {
       const [width, height] = sizes.get(target) ?? [0, 0];
-      drawn ||= width > 0 && (width !== target.clientWidth || height !== target.clientHeight);
+      other ||= width !== target.clientWidth || height !== target.clientHeight;
       sizes.set(target, null);
     }
-    if (drawn) RESIZED.dispatchEvent(new Event('resize'));
+    if (other) RESIZED.dispatchEvent(new Event('resize'));
   });
   if (!sizes.has(root)) resized.observe(root);
   const known = sizes.get(root);

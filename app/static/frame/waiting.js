@@ -65,7 +65,7 @@ export class Waiting {
   }
   /** Where its place is now. */
   settle() {
-    const box = this.place?.getBoundingClientRect();
+    const box = this.root.hidden ? null : this.place?.getBoundingClientRect(); // for which the page is laid out
     if (!box?.width) return;
     const from = this.root.offsetParent?.getBoundingClientRect(); // in another's page, which scrolls
     const { width, height } = box;

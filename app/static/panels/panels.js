@@ -151,8 +151,9 @@ export class Analyses {
   // Those that are open from the first on.
   resume() {
     const open = this.all.filter((view) => view.open);
+    if (!open.length) return;
     this.order = open.toReversed();
-    if (open.length) this.layout.show('analysis');
+    this.layout.show('analysis');
     this.arrange();
     for (const view of open) view.opened?.();
   }

@@ -54,7 +54,6 @@ export class SpaceView {
     for (const part of this.charts) part.load(frame);
     this.stack.arrange();
     this.dress();
-    this.draw();
   }
   /** Whether the clock runs through the impact: in the opening, unless they do not meet. */
   get slow() {

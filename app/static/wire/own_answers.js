@@ -138,6 +138,7 @@ export class OwnAnswers {
     page.frame = frame;
     page.compare.lay(frame);
     page.view.load(frame);
+    page.view.draw();
     page.opening.draw(true);
     page.player.load(page.view.clock(frame));
     page.tell();

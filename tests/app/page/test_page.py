@@ -51,6 +51,15 @@ def test_the_first_view_shows_the_story_of_the_fixed_rod(open_page):
     expect(page.tab.locator(".story table.figures")).to_contain_text("< 1e-9")
 
 
+@pytest.mark.parametrize("query", ["", "?layout=laboratory"])
+def test_a_page_that_opens_is_drawn_once(open_page, query):
+    """Once more where its styles come late; it was up to six times, as each part asked for it."""
+    page = open_page(query)
+    settled(page)
+    page.frames_pass(4)
+    assert 1 <= page.evaluate("() => strikewave.page.painted") <= 2
+
+
 PREDICTED = "Restitution (rigid)"  # where it sets nothing else
 SLIDERS = {  # title of each, and where it is drawn to
     "?layout=laboratory": {
