@@ -203,6 +203,7 @@ export function wall(c, x, middle, thick) {
   c.fillStyle = WALL;
   c.fillRect(x, middle - tall, 5, 2 * tall);
   c.strokeStyle = '#8a97a3';
+  c.lineWidth = 1; // whatever was drawn before
   c.beginPath();
   for (let y = middle - tall; y < middle + tall; y += 8) {
     c.moveTo(x + 5, y + 8);

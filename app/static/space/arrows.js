@@ -167,6 +167,7 @@ export function measure(c, right, bottom, long, text) {
  */
 export function stopAt(c, [x, y], [nx, ny], reach) {
   c.strokeStyle = '#55636f';
+  c.lineCap = 'round'; // at the first picture, too
   c.lineWidth = 4;
   c.beginPath();
   c.moveTo(x - ny * reach, y - nx * reach);
