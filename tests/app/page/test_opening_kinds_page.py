@@ -277,6 +277,12 @@ def test_the_bar_of_a_phone_grows_with_its_title(open_page):
     assert button["y"] >= 0 and button["y"] + button["height"] <= ask["y"]
 
 
+def test_the_title_of_a_tablet_is_not_cut(open_page):
+    page = open_page("?mass_ratio=1.4&layout=opening&language=es", size=HANDS[0])
+    button, title = (page.tab.locator(name).bounding_box() for name in (".topbar .scene", ".topbar .scene .title"))
+    assert button["y"] <= title["y"] and title["y"] + title["height"] <= button["y"] + button["height"]
+
+
 @pytest.mark.parametrize("query", ["", "?language=es"])
 def test_the_title_that_a_phone_opens_with_takes_two_lines_and_no_more_when_changed(open_page, query):
     page = open_page(query, size=HANDS[1])
