@@ -4,6 +4,7 @@ from pathlib import Path
 
 from solvers.text.catalogue import SOURCE
 
+from .answers import stored, with_answers
 from .lesson import Lesson
 from .reading import read
 
@@ -39,7 +40,8 @@ def shipped_lesson(name: str, language: str = SOURCE) -> Lesson:
     if name not in shipped_names():
         raise KeyError(name)
     translated = FOLDER / f"{name}.{language}.md"
-    return read(translated if translated in lesson_files() else FOLDER / f"{name}.md")
+    found = read(translated if translated in lesson_files() else FOLDER / f"{name}.md")
+    return with_answers(found, stored().get(name, {}))
 
 
 def title_of(name: str, language: str) -> str:
