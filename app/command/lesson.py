@@ -1,4 +1,4 @@
-"""The command `impact lesson`: checks lesson files, and writes one to begin with."""
+"""The command `impact lesson`: checks lesson files, prints them for paper, and writes one to begin with."""
 
 import argparse
 import json
@@ -20,6 +20,10 @@ def add_commands(parser: argparse.ArgumentParser) -> None:
     check.add_argument("files", nargs="+", metavar="FILE", help=text("help.lesson.files"))
     check.add_argument("--json", action="store_true", help=text("help.json"))
     check.set_defaults(run=lambda options: print_check(options.files, options.json))
+    paper = commands.add_parser("print", help=text("help.lesson.print"))
+    paper.add_argument("file", metavar="FILE", help=text("help.lesson.one"))
+    paper.add_argument("--key", action="store_true", help=text("help.lesson.key"))
+    paper.set_defaults(run=lambda options: print_paper(options.file, options.key))
     new = commands.add_parser("new", help=text("help.lesson.new"))
     new.add_argument("file", nargs="?", default=USUAL, metavar="FILE", help=text("help.lesson.file", usual=USUAL))
     new.set_defaults(run=lambda options: write_new(options.file))
@@ -46,6 +50,19 @@ def print_check(files: list[str], as_json: bool) -> int:
             if one.lesson is not None and not one.problems:
                 print(f"{file}: {text('lesson.right', steps=len(one.lesson.steps))}")
     return int(any(one.problems for one in found.values()))
+
+
+def print_paper(file: str, key: bool) -> int:
+    """Print a lesson with room for answers, or its key; what is wrong with it in its place, and 1."""
+    from ..lessons.checking import check
+    from ..lessons.paper import Paper
+
+    found = check(Path(file))
+    if found.lesson is None or found.problems:
+        return print_check([file], as_json=False)
+    paper = Paper(found.lesson)
+    print(paper.key() if key else paper.handout(), end="")
+    return 0
 
 
 def write_new(file: str) -> int:

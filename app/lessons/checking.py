@@ -2,7 +2,7 @@
 
 import math
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -176,14 +176,28 @@ class _Check:
             self.problems.add(part.lines["goal"], "goal-unreached", low=low, high=high, **about)
 
     def _met(self, part: Set, step: Step, places: Iterable[float]) -> bool:
-        """At one of the places; where there is no solution it is not met."""
-        for place in places:
-            value = round(place) if isinstance(Choices.param[part.slider], param.Integer) else place
-            try:
-                if meets(self._now(step, **{part.slider: value}), part.goal):
-                    return True
-            except ValueError:
-                continue
+        """At one of the places."""
+        return any(_met(part, place, lambda **changes: self._now(step, **changes)) for place in places)
+
+
+def spans_met(part: Set, step: Step) -> list[tuple[float, float]]:
+    """Stretches of a slider, between its places that are tried, in which the goal is met."""
+    found: list[tuple[float, float]] = []
+    last = False
+    for place in _places(part.range, PLACES_ANYWHERE):
+        met = _met(part, place, lambda **changes: solved(step, **changes))
+        if met:
+            found[-1:] = [(found[-1][0], place)] if last else [*found[-1:], (place, place)]
+        last = met
+    return found
+
+
+def _met(part: Set, place: float, now: Callable[..., Shown]) -> bool:
+    """Where there is no solution it is not met."""
+    value = round(place) if isinstance(Choices.param[part.slider], param.Integer) else place
+    try:
+        return meets(now(**{part.slider: value}), part.goal)
+    except ValueError:
         return False
 
 
