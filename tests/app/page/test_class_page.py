@@ -67,8 +67,8 @@ def test_a_class_of_twenty_is_read_and_saved(open_page):
     by = {name: [row[k] for row in rows] for k, name in enumerate(head)}
     assert by["next.text"][1] == "A second contact" and by["next.right"][:3] == ["false", "true", "false"]
     assert [by["back.first"][k] for k in (0, 1, 3)] == ["true", "false", "true"]
-    # 1: a wrong choice, 2 of 5 criteria, the slider, a number and an order at the first try; 2: left two out
-    assert [by[name][0] for name in ("points", "points.first", "points.most")] == ["3.4", "3.4", "5"]
+    # 1: a wrong choice, 3 of 5 criteria, the slider, a number and an order at the first try; 2: left two out
+    assert [by[name][0] for name in ("points", "points.first", "points.most")] == ["3.6", "3.6", "5"]
     assert [by[name][2] for name in ("points", "points.first")] == ["2", "0"]
     assert by["next"][:4] == ["1", "2", "3", "1"] and by["force.line"][2] == "" and by["force.2.jump"][0] == "late"
     assert [by["back"][0], by["back.unit"][0], by["back.tries"][2], by["back.right"][4]] == [
