@@ -71,9 +71,3 @@ def in_order(given: list[Lesson]) -> list[Lesson]:
     courses = sorted((course(name) for name in by_name if name not in following), key=lambda each: (-len(each), each))
     names = dict.fromkeys(name for each in courses for name in each)
     return [by_name[name] for name in (*names, *(name for name in by_name if name not in names))]
-
-
-def template(name: str) -> str:
-    """The text of a lesson to begin with, under this name."""
-    first, _, rest = (Path(__file__).parent / "template.md").read_text(encoding="utf-8").split("\n", 2)
-    return "\n".join((first, f"lesson: {name}", rest))

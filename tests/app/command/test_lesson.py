@@ -110,6 +110,32 @@ def test_a_lesson_with_errors_is_not_printed(capsys, wrong):
     assert [line.split(": ")[0] for line in capsys.readouterr().out.splitlines()] == [f"{wrong}:3", f"{wrong}:9"]
 
 
+def test_a_new_lesson_is_in_the_language_that_is_spoken_and_of_a_scene(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("IMPACT_LANGUAGE", "es")
+    answer(capsys, "lesson", "new", "caida.md", "--scene", "drop-test")
+    written = (tmp_path / "caida.md").read_text("utf-8")
+    assert "language: es\n" in written and "scene: drop-test" in written and "## ¿Qué pasará?" in written
+    assert answer(capsys, "lesson", "check", "caida.md") == "caida.md: sin errores, 4 pasos\n"
+    assert "--scene" in refusal(capsys, "lesson", "new", "other.md", "--scene", "drop")
+    assert not (tmp_path / "other.md").exists()
+
+
+@pytest.mark.parametrize("name", ["bounce-twice", "a-ball-with-spin"])
+def test_a_translation_to_begin_with_lacks_nothing(capsys, tmp_path, name):
+    file = tmp_path / f"{name}.md"
+    file.write_text((FOLDER / file.name).read_text("utf-8"), encoding="utf-8")
+    made = tmp_path / f"{name}.pt-BR.md"
+    assert made.name in answer(capsys, "lesson", "new", str(file), "--translation", "pt-BR")
+    (line,) = answer(capsys, "lesson", "check", str(made)).splitlines()  # nothing is missing
+    assert "no errors" in line and "language: pt-BR\n" in made.read_text("utf-8")
+    assert "answer" not in made.read_text("utf-8").replace("answers", "")
+    assert "FILE: got" in refusal(capsys, "lesson", "new", str(file), "--translation", "pt-BR")
+    assert "--translation: got" in refusal(capsys, "lesson", "new", str(file), "--translation", "Spanish")
+    assert main(["lesson", "new", str(made), "--translation", "es"]) == 1
+    assert "is a translation itself" in capsys.readouterr().out
+
+
 def test_where_nothing_can_be_written(capsys, tmp_path):
     assert "FILE: got" in refusal(capsys, "lesson", "new", str(tmp_path / "none" / "a.md"))
 

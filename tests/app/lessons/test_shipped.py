@@ -6,8 +6,9 @@ from functools import cache
 import numpy as np
 import pytest
 
+from app.lessons.beginning import template
 from app.lessons.checking import check
-from app.lessons.shipped import FOLDER, in_order, lesson_files, lesson_names, shipped_lesson, template
+from app.lessons.shipped import FOLDER, in_order, lesson_files, lesson_names, shipped_lesson
 from app.lessons.solving import solved
 from solvers import solve
 
@@ -34,12 +35,14 @@ def test_an_unknown_lesson_is_no_file():
         shipped_lesson("../../secret")
 
 
-def test_the_template_is_a_lesson(tmp_path):
+@pytest.mark.parametrize("scene", ["fixed-rod", "drop-test", "four-bar", "spinning-ball", "hammer-on-cantilever"])
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_the_template_is_a_lesson(tmp_path, scene, language):
     file = tmp_path / "own-one.md"
-    file.write_text(template("own-one"), encoding="utf-8")
+    file.write_text(template("own-one", scene, language), encoding="utf-8")
     found = check(file)
     assert found.problems == () and found.lesson is not None
-    assert found.lesson.lesson == "own-one"
+    assert (found.lesson.lesson, found.lesson.scene, found.lesson.language) == ("own-one", scene, language)
 
 
 @cache
