@@ -146,6 +146,7 @@ def styles(without: Container[str] = ()) -> bytes:
     return SPARE.sub("", IMPORT.sub(sheet, (STATIC / SHEETS).read_text("utf-8"))).encode()
 
 
+@cache
 def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
     if file == STATIC / ENTRY:
