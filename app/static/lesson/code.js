@@ -202,7 +202,7 @@ const KINDS = {
  */
 export function givenOf(record, answers) {
   const given = questionsOf(record).map(({ found, kind, name }) => {
-    const answer = answers[name];
+    const answer = Object.hasOwn(answers, name) ? answers[name] : null;
     if (kind === 'choice') return [name, answer?.done ? { picked: answer.picked } : null];
     if (kind === 'set') {
       const placeIn = (/** @type {number} */ k) =>
