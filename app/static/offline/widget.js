@@ -2,7 +2,12 @@
 // copies this module away from its folder: an address says where that is.
 
 const FORM = 1; // of what a frame says: as in frame/framed.js
+const SCHEMES = ['https:', 'http:', 'file:'];
 const [FIRST, MOST] = [720, 4000]; // pixels of height: before it says one, and at most
+
+/** @param {unknown} src */
+const refusal = (src) =>
+  `src: got ${JSON.stringify(src)}; allowed: an address of the laboratory, such as Copy link gives`;
 
 /**
  * @param {object} given
@@ -11,9 +16,9 @@ const [FIRST, MOST] = [720, 4000]; // pixels of height: before it says one, and 
  */
 function render({ model, el }) {
   const src = model.get('src');
-  if (!src || typeof src !== 'string' || !URL.canParse(src, document.baseURI))
-    throw new Error(`src: got ${JSON.stringify(src)}; allowed: an address of the laboratory, such as Copy link gives`);
+  if (!src || typeof src !== 'string' || !URL.canParse(src, document.baseURI)) throw new Error(refusal(src));
   const address = new URL(src, document.baseURI);
+  if (!SCHEMES.includes(address.protocol)) throw new Error(refusal(src)); // javascript: would run in the book
   address.search = `?embed&${address.search.slice(1)}`;
   const frame = document.createElement('iframe');
   Object.assign(frame, { src: address.href, title: model.get('title') ?? '', allow: 'clipboard-write' });
