@@ -5,10 +5,6 @@ const FORM = 1; // of what a frame says: as in frame/framed.js
 const SCHEMES = ['https:', 'http:', 'file:'];
 const [FIRST, MOST] = [720, 4000]; // pixels of height: before it says one, and at most
 
-/** @param {unknown} src */
-const refusal = (src) =>
-  `src: got ${JSON.stringify(src)}; allowed: an address of the laboratory, such as Copy link gives`;
-
 /**
  * @param {object} given
  * @param {{ get: (name: 'src' | 'title') => any }} given.model  `src`: an address of the laboratory, as a link has it
@@ -16,9 +12,11 @@ const refusal = (src) =>
  */
 function render({ model, el }) {
   const src = model.get('src');
-  if (!src || typeof src !== 'string' || !URL.canParse(src, document.baseURI)) throw new Error(refusal(src));
-  const address = new URL(src, document.baseURI);
-  if (!SCHEMES.includes(address.protocol)) throw new Error(refusal(src)); // javascript: would run in the book
+  const address =
+    typeof src === 'string' && src && URL.canParse(src, document.baseURI) && new URL(src, document.baseURI);
+  if (!address || !SCHEMES.includes(address.protocol))
+    // a script in place of one would run in the book
+    throw new Error(`src: got ${JSON.stringify(src)}; allowed: an address of the laboratory, such as Copy link gives`);
   address.search = `?embed&${address.search.slice(1)}`;
   const frame = document.createElement('iframe');
   Object.assign(frame, { src: address.href, title: model.get('title') ?? '', allow: 'clipboard-write' });
