@@ -17,6 +17,7 @@ from solvers.text.notes import Note
 from ..choices.bodies import parts_of
 from ..choices.choices import SCENES, strikes
 from ..choices.opened import Opening
+from ..choices.own import is_own
 from ..choices.part import RANGES, Part
 from ..choices.request import Request
 from ..choices.space import equivalent_box
@@ -52,10 +53,16 @@ def part_records(request: Request | None) -> list[dict[str, Any]]:
     return [_part_record(part, own[part.key], part.key == striker) for part in parts_of(request.scene)]
 
 
-@lru_cache(maxsize=512)
 def _own_parts(name: str) -> dict[str, Part]:
     """Of a scene as it is in its file, by their keys."""
+    return _parts_of(name) if is_own(name) else _built_in_parts(name)
+
+
+def _parts_of(name: str) -> dict[str, Part]:
     return {part.key: part for part in parts_of(SCENES[name])}
+
+
+_built_in_parts = lru_cache(maxsize=512)(_parts_of)
 
 
 def _part_record(part: Part, own: Part, strikes: bool) -> dict[str, Any]:
