@@ -46,14 +46,31 @@ const isHow = (name, frames) =>
     frames.every((frame) => 'damps' in frame && !frame.damps && !('exact' in frame && frame.exact.sudden)));
 
 /**
+ * Settings in which an impact is not that of its scene, values of bodies aside.
+ * @param {Frame} frame
+ */
+const changedIn = (frame) =>
+  differing([frame, { ...frame, chosen: frame.own }]).filter(
+    (name) => !isHow(name, [frame]) && !MOTION.includes(name) && name !== 'bodies',
+  );
+
+/**
+ * Whether an impact is not that of its scene, so that nothing that the scene says of itself holds for it.
+ * @param {Frame} frame
+ */
+export const isChanged = (frame) => Boolean(frame.chosen.bodies) || changedIn(frame).length > 0;
+
+/**
  * In what an impact is not that of its scene, in words; nothing where it is.
  * @param {Frame} frame
  */
-export function changesOf(frame) {
-  const names = differing([frame, { ...frame, chosen: frame.own }]);
-  const changed = names.filter((name) => !isHow(name, [frame]) && !MOTION.includes(name) && name !== 'bodies');
-  return [wordsOf(frame), lineOf(changed, frame)].filter(Boolean).join(', ');
-}
+export const changesOf = (frame) => [wordsOf(frame), lineOf(changedIn(frame), frame)].filter(Boolean).join(', ');
+
+/**
+ * The instant that a scene is opened at, and until when it is looked at [s]; those of a changed one are its own.
+ * @param {Frame} frame
+ */
+export const timesOf = (frame) => (isChanged(frame) ? { time: null, until: null } : frame.opens);
 
 /**
  * A setting in words: "Hertz", "2 m/s", "Modes 5".
