@@ -25,7 +25,7 @@ from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
 from .encoding import LARGEST_MASS, Stretch, cycle, figures_of, instants, packed, refusals, whole_numbers
 from .histories import force_arrays, motion_instants, paths, rates_at, rates_of_contacts
-from .parts import common
+from .parts import common, taken_along
 from .solutions import method_options
 
 ROUNDING = 1e-9
@@ -90,7 +90,7 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
     moves = isinstance(main.motion, MovingMotion)
     header = {
         **common(scene, request),
-        "head": saved_head(main.scene if moves else scene, main.method, main.duration),
+        "head": saved_head(taken_along(main.scene if moves else scene, request), main.method, main.duration),
         "refusals": refusals(scene),
         "refused": answer.reason and answer.reason.table(),
         "trip": 1.0,

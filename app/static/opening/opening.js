@@ -5,6 +5,7 @@ import { alone, carried, framed } from '../browser/home.js';
 import { make } from '../browser/dom.js';
 import { TITLES } from '../frame/layout.js';
 import { lessonIn, Teaching } from '../frame/teaching.js';
+import { isChanged } from '../form/settings.js';
 import { keep, kept } from '../browser/store.js';
 import { family, text } from '../text/catalogue.js';
 import { Happens } from './happens.js';
@@ -279,7 +280,8 @@ export class Opening {
    * Ways to look closer.
    * @param {Frame} frame
    */
-  #offer({ source }) {
+  #offer(frame) {
+    const source = isChanged(frame) ? '' : frame.source;
     if (this.closer.dataset.said === source) return;
     this.closer.dataset.said = source;
     const enter = (/** @type {string} */ textContent, /** @type {() => void} */ onclick) =>

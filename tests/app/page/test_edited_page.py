@@ -85,3 +85,21 @@ def test_the_bar_of_the_clock_spans_what_plays(open_page, loops):
     for each in page.evaluate("() => strikewave.seen"):
         low, high = each["bar"]
         assert each["share"] == pytest.approx((each["t"] - low) / (high - low), abs=2e-3)
+
+
+@pytest.mark.parametrize("layout", ["laboratory&tab=numbers&panel=code", "opening"])
+def test_nothing_is_said_of_the_scene_as_it_came(open_page, layout):
+    page = open_page(f"{DROP}&layout={layout}")
+    own = page.evaluate("() => [strikewave.page.frame.title, strikewave.page.frame.note, strikewave.page.frame.source]")
+    assert all(own)
+    page.wait("() => strikewave.page.story.numbers.textContent.includes('Stiffness')")
+    said = page.evaluate("""() => {
+      const { analyses, controls, root, story } = strikewave.page;
+      const shown = [...root.querySelectorAll('.closer, .topbar, .ask, .code-part pre')].map((e) => e.textContent);
+      return [...shown, story.root.textContent, story.numbers.textContent].join('\\n');
+    }""")
+    assert not [each for each in (*own, "five contacts", "Thesis 8.4", "3.7 %") if each in said]
+    expect(page.tab.locator(".field-scene .title")).to_have_text("Hammer on the end of a cantilever (changed)")
+    assert "Changed from the scene “Hammer on the end of a cantilever”: " in said
+    if "code" in layout:
+        assert 'title = "Hammer on the end of a cantilever (changed)"' in said and "note" not in said.split("[impactor]")[0]
