@@ -48,7 +48,7 @@ def test_a_typed_value_is_solved_linked_undone_reloaded_and_set_back(open_page):
     page.answered(lambda: field(page, "Material").select_option("aluminium"))
     page.wait("() => location.search === '?target.length=0.6&target.material=aluminium&layout=laboratory'")
     at_rest(page)
-    said = "Here with Length 600 mm (body 2), Material Aluminium (body 2)"
+    said = "Length 600 mm (body 2), Material Aluminium (body 2)."
     expect(page.tab.locator(".of-numbers")).to_contain_text(said)
     page.answered(lambda: page.evaluate("() => strikewave.page.history.undo()"))
     expect(field(page, "Material")).to_have_value("steel")

@@ -104,3 +104,45 @@ def test_nothing_is_said_of_the_scene_as_it_came(open_page, layout):
     if "code" in layout:
         head = said.split("[impactor]")[0]
         assert 'title = "Hammer on the end of a cantilever (changed)"' in head and "note = " not in head
+
+
+STATIC = "() => strikewave.page.view.motion.chart.content.series.map(({ name }) => name)"
+
+
+def test_the_quasi_static_line_is_named_by_its_model_and_absent_where_it_says_nothing(open_page):
+    page = open_page(f"{DROP}&layout=laboratory")  # the contact is all that gives way there: the beam stands still
+    assert not [name for name in page.evaluate(STATIC) if "static" in name]
+    assert page.evaluate("() => strikewave.page.view.stage.predicts") is False
+    typed(page, "mass_ratio", "0.2")  # and here the beam, too
+    page.wait("() => strikewave.page.frame.chosen.mass_ratio === 0.2 && !strikewave.page.asked")
+    page.wait("() => strikewave.page.frame.staticModel && !strikewave.page.own.made.has(strikewave.page.frame)")
+    assert page.evaluate("() => strikewave.page.frame.staticModel").startswith("structural")
+    assert "quasi-static structure" in page.evaluate(STATIC)
+
+
+def test_the_scale_of_colours_says_where_it_ends_before_the_largest(open_page):
+    page = open_page(f"{DROP}&layout=opening")
+    end, most = page.evaluate("""() => {
+      const { stage, field } = strikewave.page.view;
+      return [stage.usual.moment, field.largest.moment].map((value) => value * stage.stressUnit);
+    }""")
+    assert end < 0.8 * most
+    drawn = """() => {
+      const found = [], { fillText } = CanvasRenderingContext2D.prototype;
+      CanvasRenderingContext2D.prototype.fillText = function (words, ...at) {
+        found.push(words);
+        fillText.call(this, words, ...at);
+      };
+      strikewave.page.redraw();
+      CanvasRenderingContext2D.prototype.fillText = fillText;
+      return found;
+    }"""
+    assert f"± {end:.3g} MPa and beyond" in [words.replace("\u00a0", " ") for words in page.evaluate(drawn)]
+
+
+@pytest.mark.parametrize("layout", ["laboratory", "docks"])
+def test_the_table_of_a_sensitivity_is_seen_whole_in_a_dock_of_usual_width(open_page, layout):
+    page = open_page(f"{DROP}&layout={layout}&panel=trust")
+    page.wait("() => strikewave.page.analyses.trust.table.rows.length > 3")
+    sizes = "() => { const { parentElement: { clientWidth, scrollWidth } } = strikewave.page.analyses.trust.table; "
+    page.wait(f"{sizes} return clientWidth > 200 && scrollWidth <= clientWidth; }}")

@@ -142,7 +142,8 @@ def test_the_address_is_written_once_a_drag_and_says_where_it_ended(open_page):
             while (strikewave.frames === frames || page.telling) await new Promise((done) => setTimeout(done, 10));
             if (performance.now() - sent > 200) pauses++;
           }
-          while (!window.location.search.endsWith('speed=2.2&layout=laboratory')) await new Promise((done) => setTimeout(done, 10));
+          const there = () => window.location.search.endsWith('speed=2.2&layout=laboratory');
+          while (!there()) await new Promise((done) => setTimeout(done, 10));
           return [found, pauses];
         }"""
     )
