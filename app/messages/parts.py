@@ -1,7 +1,9 @@
 """What the browser needs of the bodies themselves: what can be set, within which bounds, and what follows from it."""
 
 import math
+import re
 from collections.abc import Collection
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -23,6 +25,9 @@ from ..choices.request import Request
 from ..choices.space import equivalent_box
 from .encoding import unshown
 
+CLAIM = r"(?<!\d): "  # in a title, behind what the scene is about: what happens, as in app/static/form/settings.js
+CHANGED = " (changed)"  # behind the title of a file
+
 
 def common(scene: Scene, request: Request | None, notes: Collection[Note] = ()) -> dict[str, Any]:
     """What every message says of what is chosen, and of the scene; nothing is chosen outside the page.
@@ -42,6 +47,14 @@ def common(scene: Scene, request: Request | None, notes: Collection[Note] = ()) 
         "unshown": unshown(scene),
         "opens": (request.opening([note.code for note in notes]) if request else Opening()).table(),
     }
+
+
+def taken_along(scene: Scene, request: Request | None) -> Scene:
+    """The scene as it is written into a file: a changed one without what its scene says of itself, which held there."""
+    if request is None or not request.changed:
+        return scene
+    about = re.split(CLAIM, scene.title)[0].removesuffix(CHANGED)
+    return replace(scene, title=about and about + CHANGED, source="", note="")
 
 
 def part_records(request: Request | None) -> list[dict[str, Any]]:
