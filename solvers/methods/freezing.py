@@ -1,6 +1,6 @@
 """What is left out where a mechanism keeps its configuration while it is struck, and by how much figures are off."""
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
@@ -9,21 +9,18 @@ from ..scene import Scene
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 
-if TYPE_CHECKING:
-    from .mechanisms import MechanismMotion
-
 # Share by which velocities along the normal are off as the configuration turns, or for springs that are left out; with
 # more the figures are uncertain.
 MAX_LEFT_OUT, MAX_LEFT_OUT_LATER = 0.01, 0.05  # by the end of the contact, and of the time solved
 SPRING_INSTANTS = 400  # of an impact, at which springs are looked at: their impulse to second order, 1e-5
 
 
-def notes_on_freezing(solution: Solution, motion: "MechanismMotion") -> list[Note]:
-    """What is left out, and by how much velocities are off for it."""
+def notes_on_freezing(solution: Solution, motion: Any) -> list[Note]:
+    """What is left out, and by how much velocities are off for it; `motion`: a `mechanisms.MechanismMotion`."""
     return _turning_notes(solution, motion) + _spring_notes(solution, motion)
 
 
-def _spring_notes(solution: Solution, motion: "MechanismMotion") -> list[Note]:
+def _spring_notes(solution: Solution, motion: Any) -> list[Note]:
     """What springs would have given: of first order in their stiffness, by the motion without them.
 
     After a contact of a linear law (1/4 - 1/pi^2) (w t)^2 of the speed at which the struck point leaves, w being the
@@ -42,7 +39,7 @@ def _spring_notes(solution: Solution, motion: "MechanismMotion") -> list[Note]:
     return [Note("springs-left-out", grave, springs=len(springs), error=100.0 * error)]
 
 
-def _turning_notes(solution: Solution, motion: "MechanismMotion") -> list[Note]:
+def _turning_notes(solution: Solution, motion: Any) -> list[Note]:
     """By how much the configuration turns meanwhile, and what that makes `whole`, in all the time solved."""
     lasts = solution.contacts[-1].end - solution.contacts[0].start if solution.contacts else 0.0
     spins = {name: abs(motion.frozen.system.spin(i, motion.frozen.rates)) for i, name in enumerate(motion.names)}
