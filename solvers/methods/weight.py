@@ -1,0 +1,48 @@
+"""The weight of what falls, for methods that leave it out while it touches: how much that matters."""
+
+import math
+from typing import Any
+
+from ..contact.duration import contact_time
+from ..scene import Scene
+from ..solution.solution import Solution
+from ..text.notes import Note, Severity
+
+MAX_LEFT_OUT = 0.01  # of the speed of approach: with more a method that leaves weight out refuses the scene
+
+
+def weight_too_large(scene: Scene) -> Note | None:
+    """Why a scene is refused by a method without weight; None: so little is left out that a note says all."""
+    share = scene.weight_acceleration * _about_so_long(scene) / scene.speed
+    return Note("refusals.weight", Severity.REFUSAL, share=100.0 * share) if share > MAX_LEFT_OUT else None
+
+
+def _about_so_long(scene: Scene) -> float:
+    """An impact on what is held [s]: half a swing on what gives way, the contact by itself, and a round trip."""
+    bends = math.pi * math.sqrt(scene.impactor.mass * scene.target.softness)
+    alone = 0.0 if scene.rigid_contact else contact_time(scene.contact, scene.reduced_mass, scene.speed)
+    rings = sum(body.time_unit or 0.0 for body in (scene.impactor, scene.target))
+    return bends + alone + rings
+
+
+def leave_out_weight(solution: Solution) -> None:
+    """Say by how much velocities are off without weight, g t / v up to the last parting, and count it as an error."""
+    scene = solution.scene
+    if not scene.weight_acceleration or not solution.contacts:
+        return
+    lasts = min(solution.contacts[-1].end, solution.duration)
+    share = scene.weight_acceleration * lasts / scene.speed
+    grave = Severity.REMARK if share <= MAX_LEFT_OUT else Severity.WARNING
+    left_out = Note("weight-left-out", grave, share=100.0 * share)
+
+    def with_share(_: Solution, found: dict[str, Any]) -> dict[str, Any]:
+        return found | {"estimated_error": (found.get("estimated_error") or 0.0) + share}
+
+    solution.refine("diagnostics", with_share)
+    solution.refine("notes", lambda _, notes: [*notes, left_out])
+
+
+def falls_along(scene: Scene) -> list[Note]:
+    """Where nothing holds the target, it falls as what strikes it does."""
+    alike = scene.gravity and not scene.target.held and not scene.prescribed_force
+    return [Note("weight-falls-along", Severity.REMARK)] if alike else []
