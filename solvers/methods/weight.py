@@ -3,11 +3,15 @@
 import math
 from typing import Any
 
+import numpy as np
+
 from ..contact.duration import contact_time
+from ..numerics.weighted_path import RESTING
 from ..scene import Scene
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 
+PARTS = 4  # of the time so far, in the last of which a body at rest does not move
 MAX_LEFT_OUT = 0.01  # of the speed of approach: with more a method that leaves weight out refuses the scene
 
 
@@ -40,6 +44,19 @@ def leave_out_weight(solution: Solution) -> None:
 
     solution.refine("diagnostics", with_share)
     solution.refine("notes", lambda _, notes: [*notes, left_out])
+
+
+def is_at_rest(scene: Scene, velocity: np.ndarray, force: float) -> bool:
+    """Whether an impactor, with velocities so far (instants,) [m/s], hardly moves any more, pressed by its weight."""
+    weight, last = scene.impactor.mass * scene.weight_acceleration, velocity[-max(2, velocity.size // PARTS) :]
+    still = np.abs(last).max() <= RESTING * np.abs(velocity).max()
+    return bool(still and abs(force - weight) <= RESTING * weight)
+
+
+def comes_to_rest(scene: Scene, time: float, depth: float) -> Note:
+    """That it does, after a time [s], so far from where it touched first [m]."""
+    weight = scene.impactor.mass * scene.weight_acceleration
+    return Note("comes-to-rest", Severity.REMARK, time=time, depth=depth, force=weight)
 
 
 def falls_along(scene: Scene) -> list[Note]:

@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
+import numpy as np
+
 from ... import validation
 from ...contact import Linear
 from ...contact.duration import contact_time
@@ -25,6 +27,7 @@ from ..validity import (
     notes_on_front,
     notes_on_rigid_impact,
 )
+from ..weight import comes_to_rest, is_at_rest
 from .motion import Course, ElementMotion
 
 # Of the shortest contact there can be. With fewer the peak force is off by more than the mesh is; orders:
@@ -35,6 +38,7 @@ EXPLICIT_LIMIT_SHARE = 0.8
 # Unless more are asked for. Fewer, and long impacts are solved more coarsely, at which the energy is kept all the same.
 MAX_USUAL_STEPS = 60_000
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
+MOST_CHUNKS = 200  # of what stays within reach under its weight
 SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes
 SETTLED_ERROR = 1e-3  # estimated; with less, many contacts by a law are well determined all the same
@@ -56,7 +60,7 @@ class FiniteElements(Method):
     contact_stiffness: float = option(1.0, real(1e-6, 1e8, "stiffnesses of an element"))  # of a rigid contact
     estimate: bool = field(default=True, repr=False)
 
-    BEAMS = True
+    BEAMS = WEIGHT = True
 
     def why_not(self, scene: Scene) -> Note | None:
         bodies = (scene.impactor, scene.target)
@@ -122,6 +126,8 @@ class FiniteElements(Method):
             notes.append(Note("mesh-stiffness", Severity.REMARK, factor=factor, both=both, stiffness=stiffness))
         if course.diverged:
             notes.append(Note("diverged", Severity.INVALID))
+        elif scene.weight_acceleration and is_at_rest(scene, motion.impactor_velocity(motion.time), course.force[-1]):
+            notes.append(comes_to_rest(scene, course.duration, float(course.position[-1])))
         elif duration is None and self.steps is None and not course.parted:
             notes.append(cut_short(course.steps, "steps"))
         elif course.force[-1] > 0.0:
@@ -293,23 +299,30 @@ class Plan:
 
 
 def follow(
-    scene: Scene, plan: Plan, masses: tuple[float, float], make: Callable, advance: Callable, impulse: Callable
+    scene: Scene, plan: Plan, masses: tuple[float, float], make: Callable, advance: Callable, impulses: Callable
 ) -> tuple[Any, int, bool]:
     """March by chunks until the bodies have not touched for one and move apart. Returns record, steps, parted.
 
     masses [kg]: what an impact feels of impactor and target as wholes, infinite of what is held; make(steps): an empty
-    record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s].
+    record; advance(begin, end, record): the instant reached; impulses(record, instant) up to there (instants,) [N s].
     """
     record, done = make(plan.chunk), 0
     while done < plan.most:
         until = min(done + plan.chunk, plan.most)
         if until > record.contact_force.size - 1:
             record = _grown(record, make(max(until, min(2 * until, plan.most))))
-        before, reached = impulse(record, done), advance(done, until, record)
+        before, reached = float(impulses(record, done)[-1]), advance(done, until, record)
         if reached < until:
             return record, reached, False
-        done, gained = until, impulse(record, until)
-        if plan.count is None and gained == before:
+        done, gained = until, float(impulses(record, until)[-1])
+        if plan.count is None and scene.weight_acceleration:
+            pushes = np.diff(impulses(record, done))
+            if flights(scene, plan.step, pushes, masses[0]).size:
+                return record, done, True
+            velocity = _moved(scene, plan.step, pushes, masses[0])[0]
+            if is_at_rest(scene, velocity, float(pushes[-1]) / plan.step) or done >= MOST_CHUNKS * plan.chunk:
+                return record, done, False
+        elif plan.count is None and gained == before:
             parting = scene.target.velocity + gained / masses[1] - (scene.impactor.velocity - gained / masses[0])
             if parting > 0.0:
                 return record, done, True
@@ -322,7 +335,36 @@ def _grown(record: Any, larger: Any) -> Any:
     return larger
 
 
-def end(plan: Plan, scene: Scene, last_touch: int, done: int) -> int:
-    """Steps to keep of a march until the bodies parted: a little beyond the last touch, up to a snapshot."""
-    wished = last_touch + math.ceil(AFTERGLOW * scene.time_unit / plan.step)
-    return min(done, plan.stride * math.ceil(wished / plan.stride))
+def _moved(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> tuple[np.ndarray, np.ndarray]:
+    """Velocity and place of the impactor as a whole at all instants, by its weight and by pushes (steps,) [N s]."""
+    time = step * np.arange(pushes.size + 1)
+    velocity = scene.impactor.velocity + scene.weight_acceleration * time - np.append(0.0, np.cumsum(pushes)) / mass
+    return velocity, np.append(0.0, np.cumsum(0.5 * step * (velocity[1:] + velocity[:-1])))
+
+
+def flights(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> np.ndarray:
+    """Instants without a force at which the impactor is higher than anything that still rings can reach.
+
+    pushes (steps,) [N s]. At most that is sqrt(2 E C), by the energy E that the impactor and its height leave, and
+    static compliance C.
+    """
+    velocity, place = _moved(scene, step, pushes, mass)
+    rings = scene.initial_energy + mass * scene.weight_acceleration * place - 0.5 * mass * velocity**2
+    give = scene.impactor.softness + scene.target.softness
+    reach = np.sqrt(2.0 * np.maximum(rings, 0.0) * give)
+    return np.flatnonzero((np.append(pushes, 0.0) == 0.0) & (np.append(0.0, pushes) == 0.0) & (-place > reach))
+
+
+def end(plan: Plan, scene: Scene, pushes: np.ndarray, done: int, mass: float) -> int:
+    """Steps to keep of a march until the bodies parted: a little beyond the last touch, up to a snapshot; pushes
+    (steps,): zero where they do not touch. Of one under weight a part of the flight, before it comes back."""
+    touching = np.flatnonzero(pushes > 0.0)
+    last = int(touching[-1]) + 1 if touching.size else 1  # in a step too long for a law they part as they touch
+    glow = math.ceil(AFTERGLOW * scene.time_unit / plan.step)
+    if scene.weight_acceleration:
+        flown = flights(scene, plan.step, pushes, mass)
+        later = touching[touching > flown[0]] if flown.size else touching[:0]
+        last = int(touching[touching < flown[0]][-1]) + 1 if flown.size else last
+        done = int(later[0]) if later.size else done
+        glow = min(glow, max(1, (done - last) // 2))
+    return min(done, plan.stride * math.ceil((last + glow) / plan.stride))

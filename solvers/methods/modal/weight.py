@@ -7,9 +7,9 @@ import numpy as np
 
 from ...numerics.collisions import SWINGS, SWINGS_TO_REST
 from ...numerics.oscillators import Bank, Record, Residual, carried
-from ...numerics.weighted_path import RESTING
 from ...scene import Scene
 from ...text.notes import Note, Severity
+from ..weight import comes_to_rest, is_at_rest
 
 PARTS = 4  # of the slowest period, after each of which it is looked whether all is over
 MOST_SWINGS = 10.0  # times as many as of what never leaves: then the march is cut short
@@ -40,8 +40,7 @@ def state(
     force, depth = float(record.contact_force[done - 1]), float(record.indentation[done])
     dent = float(law.dent(max(float(record.indentation[: done + 1].max()), 0.0)))
     velocity = record.velocity[: done + 1]
-    part = velocity[done - max(1, done // PARTS) :]
-    if np.abs(part).max() <= RESTING * np.abs(velocity).max() and abs(force - mass * fall) <= RESTING * mass * fall:
+    if is_at_rest(scene, velocity, force):
         return RESTS, done
     rings = float((bank.energy * (q * q + p * p)).sum())
     rings += 0.5 * spring.compliance * float(record.spring_force[done]) ** 2
@@ -90,8 +89,7 @@ def most_after(scene: Scene, record: Record, last: int, step: float) -> int:
 def notes(scene: Scene, how: int, duration: float, depth: float) -> list[Note]:
     """Of a body that never leaves."""
     if how == RESTS:
-        weight = scene.impactor.mass * scene.weight_acceleration
-        return [Note("comes-to-rest", Severity.REMARK, time=duration, depth=depth, force=weight)]
+        return [comes_to_rest(scene, duration, depth)]
     if how == SWINGS_ON:
         damped = bool(scene.contact.LOSSY or scene.impactor.damping or scene.target.damping)
         return [Note("never-leaves", Severity.REMARK, time=duration, damped=damped)]

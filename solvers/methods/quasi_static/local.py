@@ -25,6 +25,7 @@ from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW
 from ..validity import cut_short
+from ..weight import comes_to_rest
 
 FLIGHT_INSTANTS = 100  # kept of each flight between contacts, a parabola
 MOST_CONTACTS = 10_000  # within a duration that is asked for
@@ -141,7 +142,7 @@ def _under_weight(scene: Scene, duration: float | None) -> Estimate:
         contacts[-1] = contacts[-1][0], math.inf
         if duration >= rests:
             depth = float(course.indentation[-1])
-            notes = [Note("comes-to-rest", Severity.REMARK, time=rests, depth=depth, force=first.mass * first.fall)]
+            notes = [comes_to_rest(scene, rests, depth)]
     elif duration is None or time < duration:
         duration = time * (1.0 - 1e-12)
         notes = [Note("never-leaves", Severity.REMARK, time=time, damped=bool(scene.contact.LOSSY))]

@@ -196,6 +196,86 @@ def test_a_drop_test_on_a_beam(stiffness, peak, leaves, contacts):
     assert abs(found.diagnostics["energy_error"]) < 1e-9
 
 
+SOFT = {"young": 1e7, "density": 1e3, "poisson": 0.3}
+SOFT_ROD = {"kind": "rod", "length": 1.0, "section": {"radius": 0.01}, "material": SOFT}
+
+
+def modes_of_soft_rod(scene: Scene, count: int = 60) -> tuple[float, float]:
+    """Rebound and parting by DOP853: a mass and modes of a fixed rod, those left out as a spring in series."""
+    rod, law, mass = scene.target, scene.contact, scene.impactor.mass
+    omega = (np.arange(count) + 0.5) * math.pi * rod.wave_speed / rod.length
+    at = math.sqrt(2.0 / rod.mass)
+    rest = rod.length / (rod.material.young * rod.area) - float(np.sum(at**2 / omega**2))
+    stiffness = 1.0 / (1.0 / law.stiffness + rest)
+
+    def force(y):
+        return stiffness * max(y[0] - at * y[2 : 2 + count].sum(), 0.0)
+
+    def rates(_, y):
+        push = force(y)
+        q, p = y[2 : 2 + count], y[2 + count :]
+        return np.concatenate(([y[1], G - push / mass], p, at * push - omega**2 * q))
+
+    def parts(t, y):
+        return y[0] - at * y[2 : 2 + count].sum() if t > 1e-3 else 1.0
+
+    parts.terminal, parts.direction = True, -1.0
+    start = np.zeros(2 + 2 * count)
+    start[1] = scene.speed
+    found = solve_ivp(rates, (0.0, 1.0), start, method="DOP853", rtol=1e-9, atol=1e-12, events=parts)
+    return float(found.y[1, -1]), float(found.t[-1])
+
+
+@pytest.mark.parametrize(
+    "method, options",
+    [
+        ("modal", {}),
+        ("fe-modal", {}),
+        ("fe-nodal", {}),
+        ("fe-nodal", {"scheme": "central-difference"}),
+        ("fe-nodal", {"status": "frozen"}),
+    ],
+)
+def test_a_mass_that_falls_on_a_soft_rod(method, options):
+    """Without weight it would leave after 0.081 s."""
+    scene = dropped({"law": "linear", "stiffness": 1e5}, SOFT_ROD | {"support": "fixed"}, 2.0)
+    speed, parting = modes_of_soft_rod(scene)
+    found = solvers.solve(scene, method, **options)
+    assert found.contacts[-1].end == approx(parting, rel=1e-3)
+    assert found.impactor_velocity == approx(speed, abs=2e-3 * scene.speed)
+    assert abs(found.diagnostics["momentum_error"]) < 1e-10
+    assert abs(found.diagnostics["energy_error"]) < (1e-4 if options else 1e-10)
+
+
+@pytest.mark.parametrize("method", ["modal", "fe-modal", "fe-nodal"])
+def test_weight_acts_along_the_whole_length_of_what_falls(method):
+    """A free rod speeds up as one: only the contact sends waves into it, and its centre obeys m v' = m g - F."""
+    scene = Scene.from_table(
+        {
+            "impactor": SOFT_ROD | {"height": 0.1},
+            "target": {"kind": "stop"},
+            "contact": {"law": "linear", "stiffness": 1e5},
+        }
+    )
+    found = solvers.solve(scene, method)
+    motion, time = found.known_motion, np.linspace(0.0, found.duration, 7)
+    freely = scene.speed + G * time - motion.impulse(time) / scene.impactor.mass
+    assert motion.impactor_velocity(time) == approx(freely, abs=1e-9)
+    assert found.impactor_velocity == approx(-1.396, abs=3e-3)
+    assert abs(found.diagnostics["energy_error"]) < 1e-10
+    middle = motion.displacement(time[:1], np.array([-0.5]))[0, 0]
+    assert middle == approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("method", ["fe-modal", "fe-nodal"])
+def test_on_a_rod_with_a_dashpot_it_comes_to_rest(method):
+    law = {"law": "kelvin-voigt", "stiffness": 2e3, "damping": 60.0}
+    found = solvers.solve(dropped(law, SOFT_ROD | {"support": "fixed"}, 2.0, 0.01), method, elements=4)
+    assert "comes-to-rest" in [note.code for note in found.notes]
+    depth = 2.0 * G * (1.0 / 2e3 + 1.0 / (1e7 * math.pi * 1e-4))
+    assert found.known_motion.impactor_position(np.array([found.duration]))[0] == approx(depth, rel=1e-4)
+
+
 def test_gravity_beside_a_velocity_is_the_weight_of_what_is_thrown():
     thrown = Scene.from_table(
         {
