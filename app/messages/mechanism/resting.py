@@ -24,8 +24,8 @@ LINK_PLACES = 31  # of the struck link, beside which there are others
 PARTS = 10  # straight pieces of a link that bends
 INSTANTS = 75
 REACTIONS = 200  # instants
-REACTIONS_OF_ONE = 800  # where there is one joint alone, and balances shake all modes
-AMOUNTS_BESIDE = 4_000  # numbers that tell of links beside the struck one
+REACTIONS_OF_ONE = 600  # where there is one joint alone, and balances shake all modes
+AMOUNTS_BESIDE = 3_000  # numbers that tell of links beside the struck one
 
 
 def mechanism_fields(
