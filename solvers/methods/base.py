@@ -96,6 +96,10 @@ class Method(ABC):
         """Whether it has what weight does in this scene; one that has not says how large that is, up to a limit."""
         return self.WEIGHT
 
+    def neglects_weight(self, scene: Scene) -> bool:
+        """Whether weight acts in the scene that it leaves out."""
+        return bool(scene.weight_acceleration) and not self.takes_weight(scene)
+
     @abstractmethod
     def _solve(self, scene: Scene, duration: float | None) -> Solution: ...
 
@@ -122,7 +126,7 @@ class Method(ABC):
             solution = self._solve(impact, duration)
         if impact is not scene:
             solution = in_laboratory(solution, scene)
-        if not self.takes_weight(impact):
+        if self.neglects_weight(impact):
             leave_out_weight(solution)
         whole, seconds = duration is None, compiled() - before
         solution.refine("diagnostics", lambda _, found: found | {"compile_time": seconds})

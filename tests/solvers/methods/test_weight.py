@@ -170,6 +170,37 @@ def test_on_a_spring_as_one(mass):
     assert abs(found.diagnostics["energy_error"]) < 1e-12 and abs(found.diagnostics["momentum_error"]) < 1e-12
 
 
+def test_a_mass_that_falls_on_a_mass_on_a_spring():
+    scene = dropped({"law": "linear", "stiffness": 1e6}, {"kind": "spring-mass", "mass": 10.0, "stiffness": 1e4})
+    peak, parting, _ = marched(scene, 10.0, 1e4)
+    found = solvers.solve(scene)
+    assert found.method["name"] == "modal"
+    assert found.contacts[0].end == approx(parting, rel=5e-4) and found.contacts[0].peak_force == approx(peak, rel=2e-3)
+    assert abs(found.diagnostics["energy_error"]) < 1e-11
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5, 1.0])
+def test_balances_on_a_spring(restitution):
+    """Event by event: both move freely, by weight and by the spring, until they meet."""
+    scene = dropped({"law": "rigid"}, {"kind": "spring-mass", "mass": 10.0, "stiffness": 1e4})
+    found = solvers.solve(scene, "balance", restitution=restitution)
+    assert abs(found.diagnostics["energy_error"]) < 1e-12 and abs(found.diagnostics["momentum_error"]) < 1e-12
+    if restitution == 0.0:  # as one, until the spring would pull
+        whole = solvers.solve(scene, "quasi-static", model="structural")
+        assert found.contacts[0].end == approx(whole.contact_time, rel=1e-9)
+        assert found.impactor_velocity == approx(whole.impactor_velocity, rel=1e-9)
+        return
+    omega, speed = math.sqrt(1e4 / 10.0), scene.speed
+    common = 80.0 * speed / 90.0
+    first, second = common - restitution * speed * 10.0 / 90.0, common + restitution * speed * 80.0 / 90.0
+
+    def gap(t):
+        return second / omega * math.sin(omega * t) - first * t - 0.5 * G * t**2
+
+    later = next(t for t in np.linspace(1e-4, 1.0, 10_001) if gap(t) < 0.0)
+    assert found.contacts[1].start == approx(brentq(gap, later - 1e-4, later), rel=1e-9)
+
+
 def test_a_light_blow_never_leaves_a_spring_that_carries_a_mass():
     scene = dropped({"law": "rigid"}, {"kind": "spring-mass", "mass": 10.0, "stiffness": 1e4}, height=1e-5)
     found = solvers.solve(scene, "quasi-static")
@@ -325,3 +356,15 @@ def test_what_is_dropped_on_a_mechanism_falls_by_its_gravity():
         with pytest.raises(SceneError) as refused:
             Scene.from_table({"impactor": ball | wrong, "target": bar | {"gravity": gravity}})
         assert refused.value.key == ("impactor.gravity" if wrong else "impactor.height")
+
+
+def test_auto_takes_a_method_with_weight():
+    """However exact waves are otherwise."""
+    rod = {"kind": "rod", "length": 1.0, "section": {"radius": 0.01}, "material": "steel", "support": "fixed"}
+    scene = dropped({"law": "hertz", "stiffness": 1e9}, rod, 2.0, 1.0)
+    found = solvers.solve(scene, "auto", tolerance=1e-3)
+    assert "weight-left-out" not in [note.code for note in found.notes]
+    assert found.energy["weight"] != 0.0
+    assert solvers.solve(scene).method["name"] == "waves"  # so little that a note says all
+    slow = scene.replace({"impactor.height": 1e-4})
+    assert solvers.usual_method(slow) == "modal"
