@@ -62,7 +62,7 @@ def with_gravity(given: Mapping[str, Any], target: AnyBody) -> Mapping[str, Any]
     if key is None:
         return given
     along = float(target.frozen.normal @ np.array(target.gravity))
-    own = impactor | ({"gravity": along} if "gravity" not in impactor and along > 0.0 else {})
+    own = dict(impactor) | ({"gravity": along} if "gravity" not in impactor and along > 0.0 else {})
     if not math.isclose(read_gravity(own), along, rel_tol=1e-9):
         raise SceneError(f"impactor.{key}", impactor[key], allowed("gravity-of-mechanism", along=along))
     return {**given, "impactor": own}

@@ -18,7 +18,7 @@ from .waves.laws import law_function
 
 # of what never leaves, with damping and without: then it is followed no longer
 SWINGS_TO_REST, SWINGS = 100.0, 5.0
-MOST_INSTANTS = 100_000  # of a contact under weight, which may take for ever to come to rest
+MOST_INSTANTS = 40_000  # of a contact under weight, which may take for ever to come to rest
 
 
 def duration_of_power(exponent: float) -> float:

@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import solvers
-from solvers import Scene, SceneError, SceneNotSupported
+from solvers import Rod, Scene, SceneError, SceneNotSupported
 from solvers.bodies.drop import STANDARD_GRAVITY as G
 
 LINEAR = {"law": "linear", "stiffness": 1e4}
@@ -233,7 +233,7 @@ SOFT_ROD = {"kind": "rod", "length": 1.0, "section": {"radius": 0.01}, "material
 
 def modes_of_soft_rod(scene: Scene, count: int = 60) -> tuple[float, float]:
     """Rebound and parting by DOP853: a mass and modes of a fixed rod, those left out as a spring in series."""
-    rod, law, mass = scene.target, scene.contact, scene.impactor.mass
+    rod, law, mass = scene.target.known_as(Rod), scene.contact, scene.impactor.mass
     omega = (np.arange(count) + 0.5) * math.pi * rod.wave_speed / rod.length
     at = math.sqrt(2.0 / rod.mass)
     rest = rod.length / (rod.material.young * rod.area) - float(np.sum(at**2 / omega**2))
