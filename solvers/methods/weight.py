@@ -53,6 +53,26 @@ def is_at_rest(scene: Scene, velocity: np.ndarray, force: float) -> bool:
     return bool(still and abs(force - weight) <= RESTING * weight)
 
 
+def moved(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> tuple[np.ndarray, np.ndarray]:
+    """Velocity and place of the impactor as a whole at all instants, by its weight and by pushes (steps,) [N s]."""
+    time = step * np.arange(pushes.size + 1)
+    velocity = scene.impactor.velocity + scene.weight_acceleration * time - np.append(0.0, np.cumsum(pushes)) / mass
+    return velocity, np.append(0.0, np.cumsum(0.5 * step * (velocity[1:] + velocity[:-1])))
+
+
+def flights(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> np.ndarray:
+    """Instants without a force at which the impactor is higher than anything that still rings can reach.
+
+    pushes (steps,) [N s]. At most that is sqrt(2 E C), by the energy E that the impactor and its height leave, and
+    static compliance C.
+    """
+    velocity, place = moved(scene, step, pushes, mass)
+    rings = scene.initial_energy + mass * scene.weight_acceleration * place - 0.5 * mass * velocity**2
+    give = scene.impactor.softness + scene.target.softness
+    reach = np.sqrt(2.0 * np.maximum(rings, 0.0) * give)
+    return np.flatnonzero((np.append(pushes, 0.0) == 0.0) & (np.append(0.0, pushes) == 0.0) & (-place > reach))
+
+
 def comes_to_rest(scene: Scene, time: float, depth: float) -> Note:
     """That it does, after a time [s], so far from where it touched first [m]."""
     weight = scene.impactor.mass * scene.weight_acceleration

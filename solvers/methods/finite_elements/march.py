@@ -4,7 +4,7 @@ import math
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..estimates import error_left, with_error
 from ..options import option, real, whole
+from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience
 from ..validity import (
     STILL_TOUCHING,
     bodies_that_bend,
@@ -27,7 +28,7 @@ from ..validity import (
     notes_on_front,
     notes_on_rigid_impact,
 )
-from ..weight import comes_to_rest, is_at_rest
+from ..weight import comes_to_rest, flights, is_at_rest, moved
 from .motion import Course, ElementMotion
 
 # Of the shortest contact there can be. With fewer the peak force is off by more than the mesh is; orders:
@@ -101,11 +102,13 @@ class FiniteElements(Method):
             peak_indentation=depth,
             residual_indentation=None if depth is None else float(scene.contact.dent(depth)),
             notes=Later(lambda solved: self._all_notes(solved, motion, duration)),  # pyright: ignore[reportArgumentType]
-            **with_error(found, lambda: self._error(scene, course)),
+            **with_error(found, lambda: self._error(scene, course, found)),
         )
 
-    def _error(self, scene: Scene, course: Course) -> float | None:
-        return self._estimated_error(scene, course) if self.estimate and not course.diverged else None
+    def _error(self, scene: Scene, course: Course, found: Mapping[str, Any]) -> float | None:
+        if not self.estimate or course.diverged:
+            return None
+        return max(self._estimated_error(scene, course), may_gain(scene, found, course.end))
 
     def _all_notes(self, solved: Solution, motion: ElementMotion, duration: float | None) -> list[Note]:
         found = solved.diagnostics
@@ -128,10 +131,12 @@ class FiniteElements(Method):
             notes.append(Note("diverged", Severity.INVALID))
         elif scene.weight_acceleration and is_at_rest(scene, motion.impactor_velocity(motion.time), course.force[-1]):
             notes.append(comes_to_rest(scene, course.duration, float(course.position[-1])))
-        elif duration is None and self.steps is None and not course.parted:
+        elif duration is None and self.steps is None and course.end is End.FOLLOWED:
             notes.append(cut_short(course.steps, "steps"))
         elif course.force[-1] > 0.0:
             notes.append(STILL_TOUCHING)
+        elif course.end is End.MAY_TOUCH:
+            notes.append(MAY_TOUCH_AGAIN)
         raw, beam = motion.raw_contacts()[0].size, scene.bends
         if raw > contacts and not course.diverged:
             remedy = "law" if beam else self._calmer(scene)
@@ -289,44 +294,84 @@ class Plan:
                 raise validation.SceneError("method.steps", count, validation.allowed("explicit-steps", least=least))
         expected_steps, nodes = count or math.ceil(expected / fine), max(nodes, 1)
         stride = max(1, expected_steps // min(SNAPSHOTS, max(10, MOST_NUMBERS // nodes)))
-        if count is not None:
-            stride = next(part for part in range(stride, 0, -1) if count % part == 0)
+        if count is not None:  # so that the last instant has its snapshot
+            stride, count, fine = _in_strides(count, stride, fine)
         period = 2.0 * max(trips)
         most = int(min(MAX_STEPS, MAX_ROUND_TRIPS * scene.time_unit / fine, stride * MOST_NUMBERS // nodes))
-        most = count or stride * max(1, most // stride)  # so that the last instant has its snapshot
+        most = count or stride * max(1, most // stride)
         chunk = count or stride * math.ceil(period / fine / stride)
         return cls(fine, count, most, chunk, stride)
 
 
-def follow(
-    scene: Scene, plan: Plan, masses: tuple[float, float], make: Callable, advance: Callable, impulses: Callable
-) -> tuple[Any, int, bool]:
-    """March by chunks until the bodies have not touched for one and move apart. Returns record, steps, parted.
+def _in_strides(count: int, stride: int, step: float) -> tuple[int, int, float]:
+    """Stride, steps and step [s] of a march whose last instant has its snapshot, over the same time.
+
+    The number of steps is kept where it has a divisor near the stride; else it is rounded up, by less than a stride, as
+    a prime number of them would store every one.
+    """
+    divisor = next((part for part in range(stride, (stride - 1) // 2, -1) if count % part == 0), None)
+    if divisor is not None:
+        return divisor, count, step
+    whole = stride * math.ceil(count / stride)
+    return stride, whole, step * count / whole
+
+
+class March(NamedTuple):
+    """What marches: in both methods the same, but for coordinates.
 
     masses [kg]: what an impact feels of impactor and target as wholes, infinite of what is held; make(steps): an empty
-    record; advance(begin, end, record): the instant reached; impulses(record, instant) up to there (instants,) [N s].
+    record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s]; room(record, instant):
+    by how much further the bodies as wholes are apart than their faces reach [m]; pushes(record, instant): impulses of
+    all steps before (steps,) [N s].
     """
-    record, done = make(plan.chunk), 0
+
+    masses: tuple[float, float]
+    make: Callable[[int], Any]
+    advance: Callable[[int, int, Any], int]
+    impulse: Callable[[Any, int], float]
+    room: Callable[[Any, int], float]
+    pushes: Callable[[Any, int], np.ndarray]
+
+
+def follow(scene: Scene, plan: Plan, march: March) -> tuple[Any, int, End]:
+    """March by chunks until the bodies have parted for good, see `methods.parting`: record, steps, and how it ended."""
+    record, done, touched = march.make(plan.chunk), 0, 0
+    alike, longest = moves_alike(scene), patience(scene)
     while done < plan.most:
         until = min(done + plan.chunk, plan.most)
         if until > record.contact_force.size - 1:
-            record = _grown(record, make(max(until, min(2 * until, plan.most))))
-        before, reached = float(impulses(record, done)[-1]), advance(done, until, record)
+            record = _grown(record, march.make(max(until, min(2 * until, plan.most))))
+        before, reached = march.impulse(record, done), march.advance(done, until, record)
         if reached < until:
-            return record, reached, False
-        done, gained = until, float(impulses(record, until)[-1])
+            return record, reached, End.FOLLOWED
+        done, gained = until, march.impulse(record, until)
         if plan.count is None and scene.weight_acceleration:
-            pushes = np.diff(impulses(record, done))
-            if flights(scene, plan.step, pushes, masses[0]).size:
-                return record, done, True
-            velocity = _moved(scene, plan.step, pushes, masses[0])[0]
-            if is_at_rest(scene, velocity, float(pushes[-1]) / plan.step) or done >= MOST_CHUNKS * plan.chunk:
-                return record, done, False
-        elif plan.count is None and gained == before:
-            parting = scene.target.velocity + gained / masses[1] - (scene.impactor.velocity - gained / masses[0])
-            if parting > 0.0:
-                return record, done, True
-    return record, done, False
+            how = _under_weight(scene, plan, march, record, done)
+            if how is not None:
+                return record, done, how
+        elif gained != before:
+            touched = done
+        elif plan.count is None and _apart(scene, march.masses, gained):
+            if alike or march.room(record, done) > 0.0:
+                return record, done, End.PARTED
+            if (done - touched) * plan.step >= longest:
+                return record, done, End.MAY_TOUCH
+    return record, done, End.FOLLOWED
+
+
+def _under_weight(scene: Scene, plan: Plan, march: March, record: Any, done: int) -> End | None:
+    """How a march of what weight brings back has ended by this instant; None: it has not."""
+    pushes = march.pushes(record, done)
+    if flights(scene, plan.step, pushes, march.masses[0]).size:
+        return End.PARTED
+    velocity = moved(scene, plan.step, pushes, march.masses[0])[0]
+    rests = is_at_rest(scene, velocity, float(pushes[-1]) / plan.step)
+    return End.FOLLOWED if rests or done >= MOST_CHUNKS * plan.chunk else None
+
+
+def _apart(scene: Scene, masses: tuple[float, float], pushed: float) -> bool:
+    """Whether the bodies move apart as wholes."""
+    return scene.target.velocity + pushed / masses[1] > scene.impactor.velocity - pushed / masses[0]
 
 
 def _grown(record: Any, larger: Any) -> Any:
@@ -335,27 +380,7 @@ def _grown(record: Any, larger: Any) -> Any:
     return larger
 
 
-def _moved(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> tuple[np.ndarray, np.ndarray]:
-    """Velocity and place of the impactor as a whole at all instants, by its weight and by pushes (steps,) [N s]."""
-    time = step * np.arange(pushes.size + 1)
-    velocity = scene.impactor.velocity + scene.weight_acceleration * time - np.append(0.0, np.cumsum(pushes)) / mass
-    return velocity, np.append(0.0, np.cumsum(0.5 * step * (velocity[1:] + velocity[:-1])))
-
-
-def flights(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> np.ndarray:
-    """Instants without a force at which the impactor is higher than anything that still rings can reach.
-
-    pushes (steps,) [N s]. At most that is sqrt(2 E C), by the energy E that the impactor and its height leave, and
-    static compliance C.
-    """
-    velocity, place = _moved(scene, step, pushes, mass)
-    rings = scene.initial_energy + mass * scene.weight_acceleration * place - 0.5 * mass * velocity**2
-    give = scene.impactor.softness + scene.target.softness
-    reach = np.sqrt(2.0 * np.maximum(rings, 0.0) * give)
-    return np.flatnonzero((np.append(pushes, 0.0) == 0.0) & (np.append(0.0, pushes) == 0.0) & (-place > reach))
-
-
-def end(plan: Plan, scene: Scene, pushes: np.ndarray, done: int, mass: float) -> int:
+def shown(plan: Plan, scene: Scene, pushes: np.ndarray, done: int, mass: float) -> int:
     """Steps to keep of a march until the bodies parted: a little beyond the last touch, up to a snapshot; pushes
     (steps,): zero where they do not touch. Of one under weight a part of the flight, before it comes back."""
     touching = np.flatnonzero(pushes > 0.0)
