@@ -76,6 +76,7 @@ class Multibody(Method):
     quick: bool = field(default=False, repr=False)  # whether free motion is of second order only, in as many steps
 
     NAME = "multibody"
+    WEIGHT = True
     BEAMS = MOVES = True
 
     def why_not(self, scene: Scene) -> Note | None:
