@@ -64,7 +64,9 @@ class Pair:
         rings = [(own, body) for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
         split = modes[0].frequencies.size + 1
         trips = max((body.time_unit or 0.0 for _, body in rings), default=scene.time_unit)
-        longest = max(ROUND_TRIPS * trips, patience(scene))
+        # what moves on by itself is solved as it stands at first, which holds for no longer
+        moves_on = scene.target.acceleration != 0.0 or scene.target.jerk != 0.0
+        longest = ROUND_TRIPS * trips if moves_on else max(ROUND_TRIPS * trips, patience(scene))
         # bending waves disperse: no front runs through a beam
         resolved = (own.shortest_period if body.bends else own.front_time for own, body in rings)
         resolves = max(resolved, default=0.0)
@@ -72,10 +74,11 @@ class Pair:
 
     def flies(self, events: Events) -> tuple[int, float]:
         """Events up to that after which the impactor flies higher than anything that still rings can reach, and how
-        long that flight takes [s]: what follows under its weight is another impact. All of them where it does not.
+        long that flight takes [s]: what follows, as one falls onto the other, is another impact. All of them where it
+        does not.
         """
         bank = self.bank
-        if not self.weight:
+        if bank.fall <= 0.0:
             return events.time.size, math.inf
         rings = np.arange(bank.closing.size) != bank.target
         rings[0] = False
