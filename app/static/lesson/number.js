@@ -102,7 +102,9 @@ export class NumberQuestion {
     const own = make('span', { textContent: unitWord(part.unit) });
     this.said_ = make('div', { className: 'lesson-says' });
     const check = mainButton(text('lesson.check'), () => this.#check());
-    this.input.onkeydown = ({ key }) => key === 'Enter' && this.#check();
+    this.input.onkeydown = ({ key }) => {
+      if (key === 'Enter') this.#check(); // and returns nothing, as false would cancel the key
+    };
     this.input.oninput = this.unit.onchange = () => {
       Object.assign(this.now, { written: this.input.value, unit: this.unit.value });
       lesson.keep();
