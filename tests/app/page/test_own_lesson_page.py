@@ -8,6 +8,7 @@ from playwright.sync_api import expect
 from app.lessons.record import lesson_record
 from app.lessons.shipped import FOLDER, in_order, lesson_names, shipped_lesson
 
+from .hands import type_into
 from .test_access_page import findings
 from .test_lesson_page import LATE, LESSON, answered_choice, button, drawn, onwards, ready
 
@@ -43,7 +44,7 @@ def test_the_last_step_leads_to_all_lessons_and_they_say_how_far_one_has_come(op
     page.tab.keyboard.press("Space")  # goes to the search, and not to the clock
     assert page.evaluate("() => strikewave.page.player.playing") is False
     assert findings(page) == []
-    page.tab.get_by_role("searchbox").fill("rod")
+    type_into(page.tab.get_by_role("searchbox"), "rod", "")
     expect(cards.nth(0)).to_be_hidden()
     page.tab.locator(".card[data-scene=free-rod]").click()  # a scene leads out of the lesson
     page.tab.wait_for_url("**scene=free-rod*")
@@ -163,11 +164,11 @@ def test_a_question_is_tried_again_and_the_first_answer_stays(open_page):
     ready(page)
     number = page.tab.get_by_label("Your number")
     for written in ("58", "116.4"):
-        number.fill(f"{written} µs")
+        type_into(number, f"{written} µs")
         button(page, "Check").click()
         expect(page.tab.locator(".lesson-said")).to_be_in_viewport()
     button(page, "Try again").click()
-    number.fill("1164 µs")
+    type_into(number, "1164 µs")
     button(page, "Check").click()
     expect(page.tab.locator(".lesson-said")).to_contain_text("but not the unit")
     assert page.evaluate(ANSWER)["back"]["first"] == {
