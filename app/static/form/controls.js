@@ -108,6 +108,11 @@ export class Controls {
   show(name, value, refused = false) {
     this.fields[name]?.set(value, refused);
   }
+  /** @param {string} name  of a slider, whether a hand is still on it */
+  holds(name) {
+    const field = this.fields[name];
+    return field instanceof Slider && field.held;
+  }
   /** @param {string[]} names  of those that are seen in the opening, the first of them first */
   lead(names) {
     for (const [name, { root }] of Object.entries(this.fields)) {

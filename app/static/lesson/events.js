@@ -148,15 +148,22 @@ export function quantityOf(frame, quantity) {
   return (space && IN_SPACE[quantity]?.(space)) ?? null;
 }
 
+const SLIGHT = 1e-6; // of it, which methods may be wrong by
+/** @type {Record<string, number>} */
+const SIZES = { restitution: 1, energy_lost: 1, impactor_spin: 1, target_spin: 1 }; // of what is zero
+
 /**
- * Whether a frame meets a goal.
+ * Whether a frame meets a goal, by more than its methods may be wrong: a ball that stops does not go on.
  * @param {Frame} frame
  * @param {Goal} goal
  */
 export function meets(frame, { quantity, relation, value }) {
   const is = quantityOf(frame, quantity);
   if (is === null) return false;
-  return relation === '=' ? is === value : relation === '<' ? is < value : is > value;
+  if (relation === '=') return is === value;
+  const size = quantity.endsWith('_velocity') ? Number(frame.chosen.speed) : (SIZES[quantity] ?? 0);
+  const beyond = relation === '<' ? value - is : is - value;
+  return beyond > SLIGHT * Math.max(Math.abs(value), Math.abs(is), size);
 }
 
 /**

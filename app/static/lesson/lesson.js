@@ -3,7 +3,6 @@ import { make } from '../browser/dom.js';
 import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures } from '../text/format.js';
-import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { refusalIn } from '../wire/model.js';
 import { brought } from './answered.js';
@@ -13,6 +12,7 @@ import { Coming } from './coming.js';
 import { endingOf } from './ending.js';
 import { eventsOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
+import { guessOf } from './guess.js';
 import { elementsOf } from './nodes.js';
 import { KEY } from './print.js';
 import { PROJECTOR } from './projector.js';
@@ -118,6 +118,7 @@ export class Lesson {
     root.querySelector('.topbar h1')?.after(this.bar.root);
     this.awaited.over(this.bar.root); // where it is not over what is asked
     root.append(this.root, this.moves);
+    this.page.controls.root.addEventListener('change', () => this.question?.settle?.());
     if (this.flags.includes(PROJECTOR)) this.bar.projector.turn(true);
   }
   get step() {
@@ -162,10 +163,16 @@ export class Lesson {
   keep() {
     if (!this.paper) keep(this.key, this.progress);
   }
+  /** Forget all answers. Returns what brings them back. */
   restart() {
-    this.progress = { of: this.#questions, far: 0, answers: {} };
-    this.keep();
-    this.enter(0);
+    const { at, progress } = this;
+    const turn = (/** @type {Progress} */ to, /** @type {number} */ step) => {
+      this.progress = to;
+      this.keep();
+      this.enter(step);
+    };
+    turn({ of: this.#questions, far: 0, answers: {} }, 0);
+    return () => turn(progress, at);
   }
   /**
    * A time in T, as it is written.
@@ -174,15 +181,6 @@ export class Lesson {
   timeWords(t) {
     if (this.unit !== 1) return engineering(t * this.unit, 's'); // as all the page has it
     return `${figures(Number(t.toFixed(2)), 4)} T`;
-  }
-  /**
-   * A choice of the page with its name.
-   * @param {string} name
-   * @param {number} value
-   */
-  valueWords(name, value) {
-    const { title, unit = '' } = LABELS[name];
-    return text('lesson.value', { title, value: figures(value), unit });
   }
   /** @param {string} sentence */
   speak(sentence) {
@@ -288,7 +286,7 @@ export class Lesson {
     root.classList.toggle('sketching', Boolean(chart));
     if (chart && !chart.isConnected) this.root.after(chart); // Tab goes on to it
     if (!chart) question?.chart?.remove();
-    page.opening.section.guess = this.#guess();
+    page.opening.section.guess = guessOf(this);
     const slider = Object.keys(question?.choices ?? {});
     this.sliders = [...new Set([...slider, ...(this.#scene.sliders ?? [])])];
     page.controls.lead(this.sliders);
@@ -298,15 +296,6 @@ export class Lesson {
     if (page.frame) page.layout.place();
     question?.draw?.();
     this.#follow();
-  }
-  /** The line that was drawn, beside the rod: where it was laid there, and in the end. */
-  #guess() {
-    const { question, record, step } = this;
-    const last = step.parts.some(({ kind }) => kind === 'summary');
-    const parts = last ? record.steps.flatMap((each) => each.parts).filter(asks) : [];
-    const questions = last ? parts.map((part) => questionOf(this, part)) : [question];
-    const sketch = questions.find((each) => each instanceof Sketch);
-    return sketch && (sketch.laid || (last && sketch.done)) ? sketch.series : null;
   }
   /** How long a T is, is no longer a riddle once it is answered. */
   #bare() {
@@ -333,7 +322,7 @@ export class Lesson {
   }
   #begin() {
     const { player } = this.page;
-    player.bound(this.#limit());
+    player.bound(this.#limit(), text('lesson.answer-first'));
     const done = this.question?.done;
     const after = this.#after;
     const part = done && (after.play || (after.at ?? null) !== null) ? after : this.#scene;
@@ -387,6 +376,15 @@ export class Lesson {
     this.second.lay(!this.#closed);
     this.page.controls.lead(this.sliders ?? []);
     this.question?.load?.(frame);
+  }
+  /**
+   * Whether it is what has been chosen in the end: no hand holds the slider, and the server has answered.
+   * @param {Frame} frame
+   * @param {string} slider
+   */
+  rests(frame, slider) {
+    const { controls, own } = this.page;
+    return !frame.draft && !own.made.has(frame) && !controls.holds(slider);
   }
   /** @param {number} t */
   show(t) {

@@ -8,6 +8,7 @@ import { figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import * as drawing from './drawing.js';
 import { curveOf, timeOf } from './events.js';
+import { valueWords } from './goal.js';
 import { elementsOf } from './nodes.js';
 import { quantityWords, unitWord } from './number.js';
 import { mixed } from './order.js';
@@ -78,8 +79,8 @@ const ASKED = {
     line(text('lesson.number-them')),
     ...mixed(items.length).map((k) => make('p', { className: 'print-place' }, ...elementsOf(items[k].text))),
   ],
-  set: ({ slider, start }, lesson) => [
-    line(text('lesson.from', { value: lesson.valueWords(slider, start).trim() })),
+  set: ({ slider, start }) => [
+    line(text('lesson.from', { value: valueWords(slider, start).trim() })),
     make('p', { className: 'print-blank' }),
   ],
   sketch: (part, _, shown) => [
