@@ -11,9 +11,11 @@ from solvers.accuracy.reference import exact_solution
 from ..choices.request import Request
 from ..choices.scene_of import own_choices
 from ..messages.encoding import read_header
+from ..messages.fall import fall_fields
 from ..messages.mechanism.frame import mechanism_solution
 from ..messages.space import bodies_frame
 from ..messages.transverse import main_solution
+from .events import MOST
 from .lesson import Goal, Step
 
 
@@ -39,6 +41,14 @@ SOLVED: dict[str, Callable[[Request], Solution]] = {
         request.scene
     ),
 }
+
+
+def fallen(shown: Shown) -> dict[str, float]:
+    """When what is dropped touches, again and again, from the release on [s]: as its scene opens on the page."""
+    found = fall_fields(shown.request, shown.solution)[1].get("bounces", np.zeros((0, 4)))
+    times = {f"-{number}" if number > 1 else "": float(time) for number, (time, *_) in enumerate(found[:MOST], 1)}
+    return {f"{kind}{which}": time for which, time in times.items() for kind in ("touch", "part")}
+
 
 Quantity = Callable[[Shown], float | None]
 

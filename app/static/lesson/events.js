@@ -1,4 +1,5 @@
 // What happens in a frame, by the names that lesson files have; what it is worth, and its curves.
+import { fallOf } from '../fall/fall.js';
 import { between } from '../charts/scale.js';
 import { cross, dot } from '../space/vectors.js';
 
@@ -62,6 +63,21 @@ export function eventsOf(frame) {
   }
   found.second = found['back-2'];
   return found;
+}
+
+/**
+ * Of what is dropped, from the release on [s]; nothing of other frames.
+ * @param {Frame} frame
+ * @returns {Events | null}
+ */
+export function fallenOf(frame) {
+  const fall = axialOf(frame) && fallOf(/** @type {AxialFrame} */ (frame));
+  if (!fall) return null;
+  const named_ = fall.bounces.slice(0, MOST).flatMap(({ t }, k) => [
+    [named('touch', k + 1), t],
+    [named('part', k + 1), t],
+  ]);
+  return Object.fromEntries(named_);
 }
 
 /**

@@ -10,9 +10,9 @@ import { Bar } from './bar.js';
 import { Below } from './below.js';
 import { Coming } from './coming.js';
 import { endingOf } from './ending.js';
-import { eventsOf, timeOf, unitOf } from './events.js';
+import { eventsOf, fallenOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
-import { guessOf } from './guess.js';
+import { dress } from './picture.js';
 import { elementsOf } from './nodes.js';
 import { KEY } from './print.js';
 import { PROJECTOR } from './projector.js';
@@ -52,7 +52,7 @@ import { summaryOf } from './summary.js';
  */
 
 const AT_FIRST = ['bodies'];
-const PLAIN = ['bodies', 'rows']; // what of it is no chart
+const PLAIN = ['bodies', 'forces', 'opening', 'rows']; // what of it is no chart
 const FLAGS = [KEY, PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
@@ -132,6 +132,10 @@ export class Lesson {
   get #scene() {
     return this.step.parts.find(({ kind }) => kind === 'scene') ?? {};
   }
+  /** Whether the scene is seen as it opens: what is dropped, over all its bounces. */
+  get opens() {
+    return this.at >= 0 && this.#shown.includes('opening');
+  }
   get #after() {
     return this.step.parts.find(({ kind }) => kind === 'after') ?? {};
   }
@@ -179,7 +183,7 @@ export class Lesson {
    * @param {number} t
    */
   timeWords(t) {
-    if (this.unit !== 1) return engineering(t * this.unit, 's'); // as all the page has it
+    if (this.unit !== 1 || this.opens) return engineering(t * this.unit, 's'); // as all the page has it
     return `${figures(Number(t.toFixed(2)), 4)} T`;
   }
   /** @param {string} sentence */
@@ -221,6 +225,7 @@ export class Lesson {
   /** @param {Frame} frame  of this step */
   #arrive(frame) {
     this.coming = false;
+    if (this.page.root.dataset.kind !== this.page.kind) this.page.take(this.page.changes.bytes);
     this.awaited.over(this.bar.root);
     this.first.lay(this.at, (this.sliders ?? []).length > 0);
     this.page.controls.bound(this.question?.bounds ?? {});
@@ -286,7 +291,7 @@ export class Lesson {
     root.classList.toggle('sketching', Boolean(chart));
     if (chart && !chart.isConnected) this.root.after(chart); // Tab goes on to it
     if (!chart) question?.chart?.remove();
-    page.opening.section.guess = guessOf(this);
+    dress(this, this.#shown, this.#closed);
     const slider = Object.keys(question?.choices ?? {});
     this.sliders = [...new Set([...slider, ...(this.#scene.sliders ?? [])])];
     page.controls.lead(this.sliders);
@@ -370,7 +375,7 @@ export class Lesson {
   }
   /** @param {Frame} frame  that is shown now */
   load(frame) {
-    this.events = eventsOf(frame);
+    this.events = (this.opens && fallenOf(frame)) || eventsOf(frame);
     this.unit = unitOf(frame);
     if (this.coming) return;
     this.second.lay(!this.#closed);
