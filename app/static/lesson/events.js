@@ -177,7 +177,7 @@ export function meets(frame, { quantity, relation, value }) {
   const is = quantityOf(frame, quantity);
   if (is === null) return false;
   if (relation === '=') return is === value;
-  const size = quantity.endsWith('_velocity') ? Number(frame.chosen.speed) : (SIZES[quantity] ?? 0);
+  const size = quantity.endsWith('_velocity') ? Number(frame.chosen?.speed ?? 0) : (SIZES[quantity] ?? 0);
   const beyond = relation === '<' ? value - is : is - value;
   return beyond > SLIGHT * Math.max(Math.abs(value), Math.abs(is), size);
 }
