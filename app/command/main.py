@@ -208,6 +208,7 @@ def _record_command(commands: Any) -> None:
     parser.add_argument("--kind", help=text("help.record.kind"))
     parser.add_argument("--at", action="append", default=[], metavar="X", help=text("help.record.at"))
     parser.add_argument("--columns", metavar="NAMES", help=text("help.record.columns"))
+    parser.add_argument("--decimal", metavar="SIGN", help=text("help.record.decimal"))
     parser.add_argument("--sign", default="1", help=text("help.record.sign"))
     parser.add_argument("--shift", metavar="S", help=text("help.record.shift"))
     parser.add_argument("--recover", action="store_true", help=text("help.record.recover"))

@@ -29,6 +29,12 @@ def lesson_text(name: str, language: str) -> str:
     return json.dumps(found, ensure_ascii=False, separators=(",", ":"))
 
 
+def _answers(found: str) -> bool:
+    """Whether all numbers that a lesson asks for are there: those of formulas are solved for with its scenes."""
+    parts = [part for step in json.loads(found)["lesson"]["steps"] for part in step["parts"]]
+    return all(part["answer"] is not None for part in parts if part["kind"] == "number")
+
+
 class Lesson(RequestHandler):
     """What a lesson says; a browser keeps it, and asks whether it is still the same."""
 
@@ -67,8 +73,11 @@ class OwnLesson(Upload):
         try:
             tried = await self._done(try_own, content, language, TRY_SECONDS + ONE_SOLVE)
         except GivenUp:
+            if not _answers(found):  # it cannot be asked without them
+                raise Refused("serving.lesson.unsolved", seconds=TRY_SECONDS) from None
             tried = '{"whole":false}'
-        return tried if "problems" in json.loads(tried) else f"{found[:-1]},{tried[1:]}"
+        known = json.loads(tried)
+        return tried if {"problems", "lesson"} & known.keys() else f"{found[:-1]},{tried[1:]}"
 
     async def _done(self, work: Callable, content: bytes, language: str, seconds: float) -> str:
         who = Stranger("lessons", self.address)

@@ -80,6 +80,7 @@ export interface JointRecord {
   /** of its length */ share: number;
   /** along which it slides */ axis: [number, number] | null;
   driven: boolean;
+  /** whether what it does to waves is known */ scatters: boolean;
 }
 
 export interface BodyRecord {

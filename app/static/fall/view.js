@@ -26,7 +26,7 @@ export function eventsOf({ bounces, gravity, height, rest }) {
     const before = k ? bounces[k - 1].height : height;
     const values = {
       ...{ number: k + 1, fast: speed(Math.sqrt(2 * gravity * before)), stays: rises <= 0 },
-      ...{ left: figures(Math.max(restitution, 0), 3), share: percent(rises / before) },
+      ...{ left: percent(Math.max(restitution, 0)), share: percent(rises / before) },
     };
     const name = k < NAMED ? text('fall.named.bounce', { number: k + 1 }) : undefined;
     return /** @type {Event} */ ([t, text('fall.event.bounce', values), name]);

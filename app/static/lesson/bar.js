@@ -4,7 +4,7 @@ import { framed } from '../browser/home.js';
 import { lessonAt } from '../frame/address.js';
 import { text } from '../text/catalogue.js';
 import { Forget } from './forget.js';
-import { KEY, Print } from './print.js';
+import { Print } from './print.js';
 import { Projector, PROJECTOR } from './projector.js';
 
 /** @import { Lesson } from './lesson.js' */
@@ -35,7 +35,7 @@ export class Bar {
   }
   /** What the address says besides. */
   get said() {
-    return `${this.lesson.flags.includes(KEY) ? `&${KEY}` : ''}${this.projector.on ? `&${PROJECTOR}` : ''}`;
+    return this.projector.on ? `&${PROJECTOR}` : '';
   }
   /** Titles of steps that were not reached say too much: they are numbers only. */
   show() {

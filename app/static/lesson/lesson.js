@@ -14,7 +14,6 @@ import { eventsOf, fallenOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
 import { dress } from './picture.js';
 import { elementsOf } from './nodes.js';
-import { KEY } from './print.js';
 import { PROJECTOR } from './projector.js';
 import { asks, questionOf } from './questions.js';
 import { Second } from './second.js';
@@ -53,7 +52,7 @@ import { summaryOf } from './summary.js';
 
 const AT_FIRST = ['bodies'];
 const PLAIN = ['bodies', 'forces', 'opening', 'rows']; // what of it is no chart
-const FLAGS = [KEY, PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
+const FLAGS = [PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
 export class Lesson {

@@ -71,7 +71,7 @@ def test_mass_and_ratio_follow_each_other(open_page):
     ratio = page.tab.get_by_label("Mass ratio, exact value")
     page.answered(lambda: type_into(ratio, "2", "Enter"))
     expect(field(page, "Mass, kg", 1)).to_have_value("1.0665")
-    expect(page.tab.locator(".field-mass_ratio .ends")).to_have_text("← heavy strikerlight →")
+    expect(page.tab.locator(".field-mass_ratio .ends")).to_have_text("← heavy strikerlight striker →")
 
 
 def test_what_cannot_be_is_said_at_the_field_and_nothing_is_lost(open_page):
