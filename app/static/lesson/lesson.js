@@ -388,7 +388,7 @@ export class Lesson {
    */
   rests(frame, slider) {
     const { controls, own } = this.page;
-    return !frame.draft && !own.made.has(frame) && !controls.holds(slider);
+    return !frame.draft && !own.made.has(frame) && !own.behind && !controls.holds(slider);
   }
   /** @param {number} t */
   show(t) {
