@@ -100,9 +100,9 @@ export class Opening {
     const { changes, frame } = this.page;
     return changesOf(frame, this.#leading).filter(([, name, value]) => changes.allowed(name, value) === value);
   }
-  /** Whether what is dropped is followed until it lies still; a lesson is about one impact. */
+  /** Whether what is dropped is followed until it lies still; a lesson is about one impact, unless it asks for that. */
   get follows() {
-    return this.plan === 'opening' && !this.teaching.on;
+    return this.plan === 'opening' && (!this.teaching.on || Boolean(this.teaching.lesson?.opens));
   }
   /** Whether its picture is what is seen. */
   get leads() {
