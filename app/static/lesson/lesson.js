@@ -104,7 +104,8 @@ export class Lesson {
   #kept() {
     const fresh = { of: this.#questions, far: 0, answers: {} };
     const found = kept(this.key, fresh);
-    return found?.of === fresh.of ? found : fresh;
+    const answers = Object.assign(Object.create(null), found?.of === fresh.of ? found.answers : {}); // by any name
+    return { ...(found?.of === fresh.of ? found : fresh), answers };
   }
   /** Take the place of the opening's own words. */
   open() {
@@ -162,7 +163,7 @@ export class Lesson {
     if (!this.paper) keep(this.key, this.progress);
   }
   restart() {
-    this.progress = { of: this.#questions, far: 0, answers: {} };
+    this.progress = { of: this.#questions, far: 0, answers: Object.create(null) };
     this.keep();
     this.enter(0);
   }
