@@ -72,22 +72,26 @@ class ChainMotion:
         """Of its face at the contact."""
         t = self._t(time)
         if self.history.contact:
-            return self._length_unit * self._face(0, False, t)[0]
-        return self._length_unit * self.history.sampled(0, PLACE, t)
+            return self._length_unit * (self._face(0, False, t)[0] + self.history.fallen(t))
+        return self._length_unit * (self.history.sampled(0, PLACE, t) + self.history.fallen(t))
 
     def face_velocity(self, time, after=True):
         """Of the impactor's face at the contact."""
         if self.history.contact:
-            return self.history.speed * self._face(0, False, self._t(time), after)[1]
+            t = self._t(time)
+            return self.history.speed * (self._face(0, False, t, after)[1] + self.history.gained(t))
         return self.impactor_velocity(time, after)
 
     def impactor_velocity(self, time, after=True):
         """Of its centre of mass."""
         t = self._t(time)
         if self.history.contact:
-            return self.scene.impactor.velocity - self.impulse(time) / self.scene.impactor.mass
+            falling = self.scene.impactor.velocity + self.history.speed * self.history.gained(t)
+            return falling - self.impulse(time) / self.scene.impactor.mass
         first = self.history.chain.mass_drift[0]
-        return self.history.speed * np.where(t > 0.0, self.history.sampled(0, SPEED, t), first)
+        return self.history.speed * (
+            np.where(t > 0.0, self.history.sampled(0, SPEED, t), first) + self.history.gained(t)
+        )
 
     def end_position(self, time):
         return self._length_unit * self._face(self.history.contact, True, self._t(time))[0]
@@ -132,16 +136,22 @@ class ChainMotion:
         rigid = self._as_wholes(t)
         impactor = np.zeros_like(t)
         if history.contact:
-            impactor = unit * history.rod_energy(0, t)
+            impactor = unit * history.rod_energy(0, t) + self._seen_from_ground(t)
         elif not scene.prescribed_force:
             impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
+        fall, mass = scene.weight_acceleration, scene.impactor.mass
         return {
             "impactor": impactor,
             "target_rigid": rigid,
             "target_vibration": target - rigid,
             "local": unit * history.stored(t),
             "dissipated": unit * history.dissipated(t),
-        }
+        } | ({"weight": -mass * fall * self._length_unit * history.middle(t)} if fall else {})
+
+    def _seen_from_ground(self, t: np.ndarray) -> np.ndarray:
+        """Kinetic energy of the impactor, less that in the frame that falls with it [J]."""
+        gained = self.history.speed * self.history.gained(t)
+        return self.scene.impactor.mass * gained * (self.impactor_velocity(t * self.history.trip) - 0.5 * gained)
 
     def work(self, time: float) -> float:
         """What the contact force has done to the target [J]: the integral of force times velocity of its face."""
@@ -201,7 +211,8 @@ class ChainMotion:
         def of_rod(rod, t, place):
             chain, lag = self.history.chain, self.history.chain.transit[rod]
             waves = self.sent(rod, True, t - place) - self.sent(rod, False, t - lag + place)
-            return self.history.speed * (chain.drift[rod] + waves / chain.impedance[rod])
+            gained = self.history.gained(t) if rod < self.history.contact else 0.0
+            return self.history.speed * (chain.drift[rod] + waves / chain.impedance[rod] + gained)
 
         return self._field(time, x, of_rod)
 
@@ -209,6 +220,7 @@ class ChainMotion:
         def of_rod(rod, t, place):
             chain, lag = self.history.chain, self.history.chain.transit[rod]
             moved = self.sent_total(rod, True, t - place) - self.sent_total(rod, False, t - lag + place)
-            return self._length_unit * (chain.drift[rod] * t + moved / chain.impedance[rod])
+            fallen = self.history.fallen(t) if rod < self.history.contact else 0.0
+            return self._length_unit * (chain.drift[rod] * t + moved / chain.impedance[rod] + fallen)
 
         return self._field(time, x, of_rod)

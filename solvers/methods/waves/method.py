@@ -46,6 +46,7 @@ class Waves(Method):
     RESOLUTIONS = ("steps", "tolerance")
     TRUSTED_ERROR = MAX_TRUSTED_ERROR
     PULSES = True
+    WEIGHT = True
 
     def why_not(self, scene: Scene) -> Note | None:
         if not isinstance(scene.target, Waveguide):
@@ -55,6 +56,10 @@ class Waves(Method):
         if len({type(law) for law in scene.joint_laws if law is not None and law.NAME != "rigid"}) > 1:
             return Note("refusals.unlike-joints", Severity.REFUSAL)
         return None
+
+    def takes_weight(self, scene: Scene) -> bool:
+        """Where all joints are bonded: of rods that may come apart each would stand in a state of its own before."""
+        return all(joint.bonded for joint in scene.target.known_as(Waveguide).joints)
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         begun = clock()

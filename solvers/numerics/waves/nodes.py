@@ -131,7 +131,7 @@ def _arrivals(record, sender, quantity, delay, t, step, seek, arriving):
 
 
 @inner_kernel
-def _free_closing(chain, state, node, work):
+def _free_closing(chain, state, node, step, work):
     """Closing speed of the faces if they did not press on each other, at every point."""
     for i in range(POINTS):
         left = right = 0.0
@@ -144,6 +144,8 @@ def _free_closing(chain, state, node, work):
         elif chain.mass_right[node] > 0.0:
             right = state.speed[node]
         work.closing[i] = left - right
+        if node == chain.contact:  # what falls speeds up as a whole
+            work.closing[i] += chain.fall * (state.time[node] + step * NODES[i])
 
 
 @inner_kernel
@@ -276,7 +278,7 @@ def prepare(chain, state, record, node, step, work):
         state.seek_right[node] = _arrivals(
             record, node + 1, np.int64(OUT_LEFT), chain.transit[node], t, step, state.seek_right[node], work.from_right
         )
-    _free_closing(chain, state, node, work)
+    _free_closing(chain, state, node, step, work)
 
 
 @inner_kernel

@@ -15,7 +15,8 @@ class Chain(NamedTuple):
 
     impedance, transit, drift (rods,): Z, L / c and the velocity before the impact; kind (nodes,); mass_left, mass_right
     (nodes,): a rigid body beside the node, 0 for none, infinite for a wall; mass_drift (nodes,), its first velocity;
-    gap (nodes,): between the faces before the impact; contact: the node that the impactor strikes.
+    gap (nodes,): between the faces before the impact; contact: the node that the impactor strikes; fall: by which its
+    weight accelerates the impactor alone. All of that, left of the contact, is seen from the frame that falls with it.
     """
 
     impedance: np.ndarray
@@ -27,6 +28,7 @@ class Chain(NamedTuple):
     mass_drift: np.ndarray
     gap: np.ndarray
     contact: int
+    fall: float
 
 
 @inner_kernel
