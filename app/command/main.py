@@ -45,7 +45,10 @@ def main(arguments: list[str] | None = None) -> int:
         return 0
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        print(text("run.no-output", why=error.strerror), file=sys.stderr)
+        missing = error.filename is not None  # of a part of the program, as all that users name is checked before
+        why = {"why": error.strerror or str(error)}
+        said = text("run.no-file", file=error.filename, **why) if missing else text("run.no-output", **why)
+        print(said, file=sys.stderr)
         return 2
 
 
@@ -269,9 +272,11 @@ def _scene(options: argparse.Namespace) -> solvers.Scene:
 
 
 def _warm(options: argparse.Namespace) -> int:
+    from solvers.numerics.processors import processors
+
     from ..jobs.compiler import compile_at_once
 
-    compile_at_once(os.cpu_count() or 1)
+    compile_at_once(processors())
     print(text("run.compiled"))
     return 0
 

@@ -15,12 +15,14 @@ from .translation import OF_HEAD, SAME, SENTENCES
 HERE = Path(__file__).parent
 USUAL = "fixed-rod"
 
+NAME = "lesson"  # a key of the head, and what the template has there
+
 
 def template(name: str, scene: str = USUAL, language: str = SOURCE) -> str:
     """The text of a lesson to begin with, under this name, of a scene; in English where there is none in a language."""
     own = HERE / f"template.{language}.md"
     given = (own if own.is_file() else HERE / "template.md").read_text(encoding="utf-8")
-    return given.replace("lesson: lesson", f"lesson: {name}", 1).replace("SCENE", scene, 1)
+    return given.replace(f"{NAME}: {NAME}", f"{NAME}: {name}", 1).replace("SCENE", scene, 1)
 
 
 def translation(original: Path, language: str) -> str:

@@ -276,6 +276,7 @@ export interface Common {
   title: string;
   source: string;
   note: string;
+  /** by which its weight accelerates the impactor towards the target [m/s2] */ weight?: number;
   /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
   /** keys that the scene sets and that have no control */ unshown: string[];
   /** what the scene is opened with */ opens: Opens;
@@ -351,6 +352,7 @@ export interface Bending extends Common {
   /** felt at the struck place; null if the beam is held [kg] */ rigidMass?: number | null;
   /** of the beam as a whole before the impact [m/s] */ drift?: number;
   drawnModes?: number;
+  /** of the quasi-static estimate, which says nothing of some */ staticModel?: string | null;
   keptModes?: number;
   /** (instants) of methods without modes, closer together at first [s] */ fieldTime?: Numbers;
   /** (instants, places) [m] */ fieldDeflection?: Numbers;

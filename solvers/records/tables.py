@@ -122,7 +122,7 @@ def read_rows(text: str, columns: int | None) -> list[Row]:
         return next((rows for rows in readable.values() if len(rows[0].cells) > 1), next(iter(readable.values())))
     numbers = [rows for rows in even if all(written(cell) for row in rows for cell in row.cells)]
     if len(numbers) > 1:  # "1 234,5" without names
-        raise RecordError("separator", None, row=lines[0][0], got=_short(lines[0][1]))
+        raise RecordError("separator", None, got=_short(lines[0][1]))
     return (numbers or even)[0]
 
 

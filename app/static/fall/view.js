@@ -1,5 +1,6 @@
 // A body that is dropped and bounces, as the opening shows it: its height over time. The laboratory shows one impact.
 import { make } from '../browser/dom.js';
+import { timesOf } from '../form/settings.js';
 import { Events } from '../frame/story.js';
 import { text } from '../text/catalogue.js';
 import { figures, length, percent, speed } from '../text/format.js';
@@ -73,9 +74,10 @@ export class FallView {
     this.closer.load(this.fall ? impactsOf(frame, this.fall.bounces) : []);
   }
   /** @param {AxialFrame} frame */
-  clock({ chosen, opens }) {
+  clock(frame) {
     const end = this.fall?.end ?? 1;
-    return { kind: 'fall', scene: chosen.scene, length: end, unit: 1, first: FIRST * end, time: opens.time };
+    const { time } = timesOf(frame);
+    return { kind: 'fall', scene: frame.chosen.scene, length: end, unit: 1, first: FIRST * end, time };
   }
   get leading() {
     return this.given ? ['restitution', 'speed', 'law'] : ['speed', 'law'];

@@ -104,7 +104,8 @@ export class Lesson {
   #kept() {
     const fresh = { of: this.#questions, far: 0, answers: {} };
     const found = kept(this.key, fresh);
-    return found?.of === fresh.of ? found : fresh;
+    const answers = Object.assign(Object.create(null), found?.of === fresh.of ? found.answers : {}); // by any name
+    return { ...(found?.of === fresh.of ? found : fresh), answers };
   }
   /** Take the place of the opening's own words. */
   open() {
@@ -174,7 +175,7 @@ export class Lesson {
       this.keep();
       this.enter(step);
     };
-    turn({ of: this.#questions, far: 0, answers: {} }, 0);
+    turn({ of: this.#questions, far: 0, answers: Object.create(null) }, 0);
     return () => turn(progress, at);
   }
   /**

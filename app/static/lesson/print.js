@@ -188,7 +188,11 @@ export class Print {
     const { root } = lesson.page;
     root.dataset.printing = text('lesson.printing');
     root.classList.add('printing'); // where pictures are as wide as a sheet, and nobody sees what is still ahead
-    Object.assign(lesson, { paper: true, still: true, progress: { ...progress, far: 0, answers: {} } });
+    Object.assign(lesson, {
+      paper: true,
+      still: true,
+      progress: { ...progress, far: 0, answers: Object.create(null) },
+    });
     for (const k of lesson.record.steps.keys()) await this.#look(k);
     Object.assign(lesson, { progress, still });
     root.classList.remove('printing');

@@ -102,7 +102,7 @@ class GridHistory(ChainHistory):
         apart = separate(self.chain, self.given.masses, through, NO_PULL)
         sure = apart and (alike(self.chain) or clear(self, last))
         self.parted = sure or (apart and quiet * self.step >= longest)
-        self.doubtful = self.parted and not sure and not self.given.target.endless
+        self.doubtful = self.parted and not sure
         return self.parted
 
     def _has_faded(self, last: int) -> bool:

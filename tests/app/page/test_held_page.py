@@ -1,5 +1,6 @@
 """A link of a teacher: controls that are hidden, fixed or bounded."""
 
+import re
 from urllib.parse import parse_qs
 
 import pytest
@@ -220,3 +221,12 @@ def test_the_form_of_links_breaks_no_rule_of_access_and_fits(open_page, query, s
     page.fits(size[0])
     assert form.evaluate("form => [form, ...form.children].every((each) => each.scrollWidth <= each.clientWidth)")
     expect(form.locator("textarea")).to_be_in_viewport()
+
+
+def test_where_a_link_hides_what_is_asked_the_source_does_not_tell_it(open_page):
+    page = open_page("?scene=drop-test&layout=opening&hide=law,scene")
+    source = page.tab.locator(".closer .source, .source")
+    expect(source).to_have_count(1)
+    expect(source).to_have_text("")
+    page = open_page("?scene=drop-test&layout=opening")
+    expect(page.tab.locator(".source")).to_have_text(re.compile("^Source: "))

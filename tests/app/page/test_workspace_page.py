@@ -272,7 +272,7 @@ def test_a_scene_is_the_same_wherever_one_comes_from(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
     chosen, own = page.header("chosen"), page.header("own")
     assert (chosen["modes"], chosen["restitution"]) == (own["modes"], own["restitution"])
-    page.wait("() => location.search === '?scene=free-rod'")
+    page.wait("() => location.search === '?scene=free-rod&layout=laboratory'")
 
 
 @pytest.mark.parametrize(("scene", "hidden"), [("split-hopkinson", True), ("semi-infinite-rod", False)])
