@@ -66,6 +66,7 @@ class Scene:
     note: str = ""
     friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
     view: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    striker_laws: tuple[Law | None, ...] = ()  # as `joint_laws`, of a chain of rods that strikes
 
     def __post_init__(self) -> None:
         # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
@@ -263,6 +264,17 @@ class Scene:
         if self.normal is not None:
             return float(sum(impulses.kinetic_energy(in_space(body)) for body in (self.impactor, self.target)))
         return sum(body.kinetic_energy for body in (self.impactor, self.target) if not isinstance(body, Pulse))
+
+    @property
+    def rods(self) -> list[Rod]:
+        """Of both bodies, along which waves keep their shape, from left to right."""
+        return [*self.impactor.rods[::-1], *self.target.rods]
+
+    @property
+    def impedance(self) -> float:
+        """Of the struck end of the target [kg/s] or, where no rod is struck, of the end of the rod that strikes."""
+        rods = self.target.rods or self.impactor.rods
+        return rods[0].impedance
 
     @property
     def halting_time(self) -> float:

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ...bodies import Pulse
+from ...bodies import Pulse, Waveguide
 from ...numerics.waves.record import IMPULSE
 from ...scene import Scene
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS
@@ -53,8 +53,9 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
 
 def _closing_time(pulse: Pulse, given: ChainScene) -> float:
     """Of all gaps [s], where all before each goes on with the momentum that the force gives; none if that pulls."""
-    moved = np.cumsum([rod.mass for rod in given.target.rods])[:-1]
-    gaps = np.array([joint.gap for joint in given.target.joints])
+    target = given.scene.target.known_as(Waveguide)
+    moved = np.cumsum([rod.mass for rod in target.rods])[:-1]
+    gaps = np.array([joint.gap for joint in target.joints])
     return float(moved @ gaps) / pulse.impulse if pulse.impulse > 0.0 else 0.0
 
 
@@ -67,7 +68,7 @@ def _difference(history: ChainHistory, coarse: ChainHistory) -> float:
     difference = np.abs(pushed[0] - pushed[1])
     if given.scene.prescribed_force:
         return float(difference.max() * given.force_unit * given.trip / (given.scene.target.mass * given.speed))
-    return float(difference[given.contact] / given.masses[-1])
+    return float(difference[given.contact] / given.striker)
 
 
 def _pushed(history: ChainHistory, node: int) -> float:
