@@ -70,7 +70,7 @@ class Scene:
 
     def __post_init__(self) -> None:
         # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
-        if isinstance(self.impactor, Rod) and self.impactor.held and not self.given:
+        if isinstance(self.impactor, Waveguide) and self.impactor.held and not self.given:
             raise SceneError("impactor.support", self.impactor.support, allowed("choice", options=["free"]))
         check_law(type(self.contact))
 
@@ -109,6 +109,7 @@ class Scene:
             validation.text("note", given.get("note", ""), LONGEST_NOTE),
             friction,
             dict(given.get("view", {})),
+            _chain_laws("impactor", impactor, impactor.velocity - target.velocity) if impactor.rods else (),
         )
 
     def replace(self, changes: Mapping[str, Any]) -> "Scene":
@@ -400,11 +401,16 @@ def _read_joint_laws(impactor: AnyBody, target: AnyBody, contact: object) -> tup
             _read_law("contact", contact, front, behind)
             for front, behind in zip(coming[:-1], target.balls[1:], strict=True)
         )
-    if not isinstance(target, Rods):
+    return _chain_laws("target", target, impactor.velocity - target.velocity) if target.rods else ()
+
+
+def _chain_laws(key: str, chain: AnyBody, speed: float) -> tuple[Law | None, ...]:
+    """Of the joints of a chain of rods; `speed` [m/s]: of the approach that laws may hang on."""
+    if not isinstance(chain, Rods):
         return ()
-    coming = [replace(rod, velocity=impactor.velocity) for rod in target.rods]
-    pairs = zip(target.joints, coming[:-1], target.rods[1:], strict=True)
+    coming = [replace(rod, velocity=rod.velocity + speed) for rod in chain.rods]
+    pairs = zip(chain.joints, coming[:-1], chain.rods[1:], strict=True)
     return tuple(
-        None if joint.bonded else _read_law(f"target.rods[{number}].contact", joint.contact or {}, front, behind)
+        None if joint.bonded else _read_law(f"{key}.rods[{number}].contact", joint.contact or {}, front, behind)
         for number, (joint, front, behind) in enumerate(pairs, 2)
     )

@@ -112,7 +112,7 @@ class Method(ABC):
             shortest = 1e-6 * impact.time_unit
             duration = validation.number("method.duration", duration, shortest, longest, "s")
         before = compiled()
-        with compiling((impact.contact, *impact.joint_laws)):
+        with compiling((impact.contact, *impact.striker_laws, *impact.joint_laws)):
             solution = self._solve(impact, duration)
         if impact is not scene:
             solution = in_laboratory(solution, scene)

@@ -59,14 +59,14 @@ def notes_on_theory(solution: Solution, waves: bool) -> list[Note]:
 
 def _loaded(scene: Scene) -> list[Loaded]:
     first = len(scene.impactor.rods)
-    bodies = [*scene.impactor.rods, *scene.target.rods]
     names = ["impactor"] * first + ["target"] * len(scene.target.rods)
-    return [Loaded(names[n], n, n in (first - 1, first), rod) for n, rod in enumerate(bodies)]
+    return [Loaded(names[n], n, n in (first - 1, first), rod) for n, rod in enumerate(scene.rods)]
 
 
 def _said(rods: list[Loaded], each: Loaded) -> dict[str, Any]:
     """Which rod it is: its number in its chain, 0 where it is alone."""
     chain = [other.number for other in rods if other.body == each.body]
+    chain = chain[::-1] if each.body == "impactor" else chain  # the first is the one that meets the other body
     return {"body": each.body, "rod": 1 + chain.index(each.number) if len(chain) > 1 else 0, "kind": "rod"}
 
 
@@ -109,7 +109,7 @@ def peak_stress(solution: Solution, each: Loaded) -> float:
     """
     scene, rod = solution.scene, each.rod
     if isinstance(solution.motion, SendsWaves):
-        unit = scene.target.rods[0].impedance * scene.speed / rod.area
+        unit = scene.impedance * scene.speed / rod.area
         lag, reach = 0.5 * rod.round_trip_time / scene.time_unit, solution.duration / scene.time_unit
         return unit * _largest_sum(solution.motion, each.number, lag, reach)
     if not each.struck:

@@ -71,3 +71,111 @@ def test_a_mass_on_a_drop_weight_comes_back_from_a_column():
     assert meshed.impactor_velocity == approx(exact.impactor_velocity, rel=1e-4)  # of 100 elements, second order
     assert meshed.peak_force == approx(exact.peak_force, rel=1e-4)
     assert exact.impactor_velocity < 0.0
+
+
+WALLS = {"stop": {"kind": "stop"}, "half-space": {"kind": "half-space", "material": "steel"}}
+SECTIONS = [
+    {"length": 0.4, "section": {"radius": 0.008}, "material": "steel"},
+    {"length": 0.38, "section": {"radius": 0.012}, "material": "bronze"},
+    {"length": 0.11, "section": {"radius": 0.01}, "material": "steel"},
+]
+CHAIN = {"kind": "rods", "rods": SECTIONS}
+APART = {"kind": "rods", "rods": [SECTIONS[0], SECTIONS[1] | {"joint": "touching", "gap": 1e-4}, SECTIONS[2]]}
+SPRUNG = {"law": "linear", "stiffness": 4e8}
+JOINTED = {"kind": "rods", "rods": [SECTIONS[0], SECTIONS[1] | {"joint": "touching", "contact": SPRUNG}]}
+BODIES = {
+    "mass": {"kind": "mass", "mass": 0.7},
+    "rod": ROD,
+    "ended": ROD | {"end_mass": 0.6},
+    "chain": CHAIN | {"end_mass": 0.3},
+    "apart": APART,
+    "jointed": JOINTED,
+}
+LAWS = {
+    "rigid": {"law": "rigid"},
+    "hertz": {"law": "hertz", "stiffness": 1e10},
+    "plastic": {"law": "plastic-power", "stiffness": 1e10, "yield_indentation": 2e-5},
+    "damped": {"law": "hunt-crossley", "stiffness": 1e10, "damping": 0.3},
+}
+PAIRS = [(one, other) for one in BODIES for other in BODIES if (one, other) != ("mass", "mass")]
+
+
+def free(body: dict) -> dict:
+    return body | ({"support": "free"} if body["kind"] in ("rod", "rods") else {})
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("one, other", PAIRS)
+def test_a_scene_and_its_mirror_have_one_outcome(one, other, law):
+    bodies, contact = [free(BODIES[one]), free(BODIES[other])], LAWS[law]
+    plain, mirrored = (scene(*pair, contact) for pair in (bodies, bodies[::-1]))
+    assert {solvers.usual_method(plain), solvers.usual_method(mirrored)} == {"waves"}
+    solved, exchanged = solvers.solve(plain), solvers.solve(mirrored)
+    share = 1e-7 + 10.0 * sum(each.diagnostics["estimated_error"] for each in (solved, exchanged))
+    same(outcome(solved), outcome(exchanged, swapped=True), share)
+
+
+@pytest.mark.parametrize("one", BODIES)
+@pytest.mark.parametrize("other", ["mass", "chain"])
+def test_all_that_moves_alike_changes_nothing(one, other):
+    if (one, other) == ("mass", "mass"):
+        return
+    bodies = free(BODIES[one]), free(BODIES[other])
+    still, moved = (solvers.solve(scene(*bodies, drift=drift), method="waves") for drift in (0.0, 3.0))
+    same(outcome(still), outcome(moved, drift=3.0), 1e-8)
+
+
+@pytest.mark.parametrize("wall", WALLS)
+@pytest.mark.parametrize("one", [name for name in BODIES if name != "mass"])
+def test_what_strikes_a_wall_is_what_strikes_a_mass_without_end(one, wall):
+    """Beside a mass of 1e8 of its own a hundred-millionth of its speed is missing."""
+    bodies = free(BODIES[one]), WALLS[wall]
+    held = solvers.solve(scene(*bodies))
+    heavy = solvers.solve(scene(bodies[0], {"kind": "mass", "mass": 1e8 * held.scene.impactor.mass}))
+    same(outcome(held), outcome(heavy), 1e-7)
+    assert held.method["name"] == "waves"
+
+
+def test_a_rod_on_a_stop_is_pressed_by_v_times_root_e_rho():
+    tables = {"kind": "rod", "length": 0.1, "section": {"area": 0.001}, "material": "steel", "height": 1.0}
+    solution = solvers.solve(Scene.from_table({"impactor": tables, "target": {"kind": "stop"}}))
+    rod = solution.scene.impactor
+    assert solution.peak_force == approx(rod.impedance * rod.velocity, rel=1e-12)
+    assert solution.peak_force == approx(180.384e3, rel=1e-5)
+    assert [(contact.start, contact.end) for contact in solution.contacts] == [(0.0, approx(rod.round_trip_time))]
+
+
+@pytest.mark.parametrize("front, back, forces", [(0.008, 0.012, (49.94e3, 73.36e3)), (0.012, 0.008, (75.5e3, 51.7e3))])
+def test_a_stepped_piston_presses_in_two_steps(front, back, forces):
+    """On an endless rod; the second step is the first with what the change of section turns back."""
+    sections = [
+        {"length": length, "section": {"radius": radius}, "material": "steel"}
+        for length, radius in ((0.4, front), (0.38, back))
+    ]
+    anvil = {"kind": "rod", "length": 3.0, "section": {"radius": 0.01}, "material": "steel", "support": "anechoic"}
+    solution = solvers.solve(scene({"kind": "rods", "rods": sections}, anvil, speed=10.0))
+    assert solution.method["name"] == "waves"
+    trip = solution.scene.impactor.rods[0].round_trip_time
+    one, two, three = (body.impedance for body in (solution.scene.target, *solution.scene.impactor.rods))
+    first = 10.0 * one * two / (one + two)
+    # what is left of the speed of the front behind the wave meets the back, which still has all of its own
+    arriving = first / two
+    sent = arriving * two * (three - two) / (two + three)
+    second = first + 2.0 * sent * one / (one + two)
+    found = [float(solution.known_motion.force(share * trip)) for share in (0.5, 1.2)]
+    assert found == approx([first, second], rel=1e-12) and found == approx(forces, rel=1e-3)
+
+
+def test_a_striker_of_sections_is_refused_where_it_cannot_be():
+    for changes, key in (
+        ({"support": "fixed"}, "impactor.support"),
+        ({"rods": []}, "impactor.rods"),
+        ({"rods": [SECTIONS[0] | {"gap": 1.0}]}, "impactor.rods[1]"),
+        (
+            {"rods": [SECTIONS[0], SECTIONS[1] | {"joint": "touching", "contact": {"law": "none"}}]},
+            "impactor.rods[2].contact.law",
+        ),
+    ):
+        with pytest.raises(solvers.SceneError) as refused:
+            scene(CHAIN | changes, ROD)
+        assert refused.value.key == key
