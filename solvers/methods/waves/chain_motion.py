@@ -127,13 +127,16 @@ class ChainMotion:
         unit = history.force_unit * history.speed * history.trip
         last, contact = len(history.rods), history.contact
         target = unit * sum(history.rod_energy(rod, t) for rod in range(contact, last)) + self._mass_energy(last, t)
+        if history.chain.spring:
+            target = target + 0.5 * unit * history.chain.spring * history.sampled(last, PLACE, t) ** 2
         if scene.target.endless and scene.target.rods:
             gone = [
                 history.squares(last - 1, OUT_RIGHT, 0.0, max(now - history.chain.transit[last - 1], 0.0))
                 for now in t.tolist()
             ]
             target = target + unit * np.array(gone) / history.chain.impedance[last - 1]
-        rigid = self._as_wholes(t) if scene.target.rods else target
+        moved = np.zeros_like(t) if scene.target.held else target
+        rigid = self._as_wholes(t) if scene.target.rods else moved
         impactor = unit * sum(history.rod_energy(rod, t) for rod in range(contact)) + self._mass_energy(0, t)
         return {
             "impactor": impactor,

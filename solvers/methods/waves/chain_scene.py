@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...bodies import AnyBody, Joint, Pulse, Rod, Waveguide
+from ...bodies import AnyBody, Joint, Pulse, Rod, SpringMass, Waveguide
 from ...contact import Linear, Rigid
 from ...numerics.law_functions import constants_of
 from ...numerics.waves.collocation import NODES
@@ -38,6 +38,7 @@ class End(NamedTuple):
     kind: int  # as of a node of `numerics.waves.parts`
     mass: float  # [kg] that moves with it: 0 for none, infinite where it is held
     velocity: float  # before the impact [m/s]
+    spring: float = 0.0  # on which it stands [N/m]
 
 
 def end_of(body: AnyBody) -> End:
@@ -45,7 +46,7 @@ def end_of(body: AnyBody) -> End:
     if isinstance(body, Pulse):
         return End(PRESSED, 0.0, 0.0)
     if not body.rods:
-        return End(BONDED, body.mass, body.velocity)
+        return End(BONDED, body.mass, body.velocity, body.stiffness if isinstance(body, SpringMass) else 0.0)
     last: Rod = body.rods[-1]
     if last.support == "anechoic":
         return End(ABSORBING, 0.0, 0.0)
@@ -132,6 +133,7 @@ class ChainScene:
             drift,
             gap,
             self.contact,
+            self.ends[1].spring * self.speed * self.trip / self.force_unit,
         )
 
     def _pulse(self) -> np.ndarray:
@@ -154,7 +156,7 @@ class ChainScene:
                 masses[part] = 0.0
             if node < nodes - 1:
                 masses[part] += self.rods[node].mass - self.rods[node].end_mass
-        masses[part] += math.inf if self.ends[1].kind == ABSORBING else self.ends[1].mass
+        masses[part] += math.inf if self.scene.target.held else self.ends[1].mass
         return masses / self._mass_unit
 
 

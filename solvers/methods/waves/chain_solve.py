@@ -30,7 +30,8 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
     history = ExactHistory(given, until, tolerance)
     if not history.gave_up:
         return history
-    reach, coarse = history.reach, None
+    reach, coarse, sprung = history.reach, None, given.chain.spring > 0.0  # of which the grid knows nothing
+    whole = history if sprung else None
     del history  # a hundred megabytes
     for looser in COARSE_TOLERANCES:
         if looser > tolerance:
@@ -39,8 +40,10 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
                 coarse.error = max(coarse.error, _difference(coarse, ExactHistory(given, until, LOOSER * looser)))
                 break
             reach, coarse = coarse.reach, None
-    if coarse is not None and coarse.error <= POOR:
+    if coarse is not None and (sprung or coarse.error <= POOR):
         return coarse
+    if whole is not None:
+        return whole
     horizon = max(2.0 * reach, FIRST_LOOK * max(rod.round_trip_time for rod in given.rods) / given.trip)
     grid = GridHistory(given, until, horizon)
     shown = grid.contacts[-1].end / given.trip + AFTERGLOW

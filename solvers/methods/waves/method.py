@@ -28,8 +28,8 @@ FEW_RODS = 3  # in longer chains the echoes of echoes multiply, and only the tol
 
 @dataclass(frozen=True)
 class Waves(Method):
-    """Travelling waves in rods: of two bodies that meet one is a rod or a chain of rods, the other too, a mass or a
-    wall.
+    """Travelling waves in rods: of two bodies that meet one is a rod or a chain of rods, the other too, a mass,
+    one on a spring, or a wall.
 
     A mass on one rod, rigid contact: exact, events to rounding; with `steps` over the whole duration, second order on a
     grid of times. Contact laws, rods against rods, chains with changes of section, joints that open: delay equations
@@ -48,8 +48,9 @@ class Waves(Method):
     PULSES = True
 
     def why_not(self, scene: Scene) -> Note | None:
-        whole = scene.target.free_mass or (scene.target.held and math.isinf(scene.target.mass))
-        if not (isinstance(scene.target, Waveguide) or (isinstance(scene.impactor, Waveguide) and whole)):
+        target = scene.target
+        whole = target.free_mass or target.half_swing is not None or (target.held and math.isinf(target.mass))
+        if not (isinstance(target, Waveguide) or (isinstance(scene.impactor, Waveguide) and whole)):
             kinds = {"impactor": scene.impactor.kind, "target": scene.target.kind}
             return Note("refusals.not-rods", Severity.REFUSAL, **kinds)
         if self.steps is not None and not one_front(scene):

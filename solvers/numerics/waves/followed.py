@@ -7,7 +7,7 @@ from ...jit.reference import refer
 from .events import NO_PULL
 from .laws import STORED
 from .network import FAILED, FULL, PARTED, separate, solve
-from .parts import ABSORBING, LAW
+from .parts import ABSORBING, LAW, swings
 from .record import (
     DEPTH,
     FORCE,
@@ -97,7 +97,7 @@ def follow(chain, record, state, work, contact, joint, of_law, until, most, tole
     endless = not asked and chain.kind[-1] == ABSORBING
     wait = np.inf
     if not asked:
-        wait = 0.0
+        wait = 2.0 * np.pi / np.sqrt(swings(chain, chain.kind.size - 1)) if chain.spring > 0.0 else 0.0
         for lag in chain.transit:
             wait += 4.0 * lag
     limit = min(until, most)

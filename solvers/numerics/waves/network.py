@@ -24,11 +24,12 @@ from .collocation import STAGES
 from .events import FAILS, NO_PULL, RETRIES, SMOOTH, face_events, law_events
 from .laws import CORNER, DENT, press, store
 from .nodes import add_break, finish, prepare, seen, share_of_error, simple_forces, tiny
-from .parts import LAW, PRESSED, RIGID_FACES, mobility
+from .parts import LAW, PRESSED, RIGID_FACES, mobility, swings
 from .record import FORCE, jumped, pushed
 
 FORESEEN = 0.1  # of the force that a rejected step shows: so large it will be
 LEAST_STEP = 1e-13  # tried next, as a share of the time: below it rounding is taken for detail
+PART_OF_SWING = 0.25  # of a radian, the longest step of a mass on a spring: what a polynomial follows to 1e-10
 
 # how a solve ended
 PARTED, STOPPED, FULL, FAILED = range(4)
@@ -44,6 +45,8 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
         span = min(span, seen(record, node - 1, chain.transit[node - 1], state.time[node], state.seek_left[node]))
     if node < chain.kind.size - 1:
         span = min(span, seen(record, node + 1, chain.transit[node], state.time[node], state.seek_right[node]))
+    if swings(chain, node) > 0.0:
+        span = min(span, PART_OF_SWING / np.sqrt(swings(chain, node)))
     n, step = record.count[node], min(state.step[node], span)
     guess = record.values[node, n - 1, FORCE, STAGES] if n > 0 else 0.0
     if step > 0.5 * span:

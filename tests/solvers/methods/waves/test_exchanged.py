@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 from pytest import approx
 
@@ -134,6 +135,38 @@ def test_what_strikes_a_wall_is_what_strikes_a_mass_without_end(one, wall):
     heavy = solvers.solve(scene(bodies[0], {"kind": "mass", "mass": 1e8 * held.scene.impactor.mass}))
     same(outcome(held), outcome(heavy), 1e-7)
     assert held.method["name"] == "waves"
+
+
+SPRUNG_MASS = {"kind": "spring-mass", "mass": 0.5, "stiffness": 3e7}
+
+
+def test_a_rod_drives_a_mass_on_a_spring_as_a_dashpot_would():
+    """Until its own wave is back: m u'' + Z u' + k u = Z v from rest."""
+    solution = solvers.solve(scene(ROD, SPRUNG_MASS))
+    rod, body = solution.scene.impactor, solution.scene.target
+    decay = 0.5 * rod.impedance / body.mass
+    frequency = complex(body.frequency**2 - decay**2, 0.0) ** 0.5  # imaginary: overdamped
+    times = np.linspace(0.01, 0.95, 17) * rod.round_trip_time
+    speed = rod.impedance * SPEED / body.mass * (np.exp(-decay * times) * np.sin(frequency * times) / frequency).real
+    assert solution.known_motion.force(times) == approx(rod.impedance * (SPEED - speed), rel=1e-9)
+    assert solution.known_motion.end_velocity(times) == approx(speed, rel=1e-9)
+    assert solution.method["name"] == "waves" and abs(solution.diagnostics["energy_error"]) < 1e-9
+
+
+@pytest.mark.parametrize("one", ["rod", "ended", "chain"])
+def test_a_mass_on_a_spring_is_struck_again_as_often_as_elements_say(one):
+    law = {"law": "linear", "stiffness": 1e6}
+    tables = {"kind": "spring-mass", "mass": 0.85, "stiffness": 3e4}
+    exact = solvers.solve(scene(free(BODIES[one]), tables, law), method="waves")
+    meshed = solvers.solve(scene(free(BODIES[one]), tables, law), method="fe-modal", duration=exact.duration)
+    assert len(exact.contacts) >= 2
+    same(outcome(exact), outcome(meshed), 1e-4)  # of 100 elements, second order
+
+
+def test_joints_of_a_striker_may_open_before_a_mass_on_a_spring():
+    solution = solvers.solve(scene(APART, SPRUNG_MASS, {"law": "hertz", "stiffness": 1e9}))
+    assert solution.method["name"] == "waves" and solution.impactor_velocity < 0.0
+    assert abs(solution.diagnostics["energy_error"]) < 1e-8
 
 
 def test_a_rod_on_a_stop_is_pressed_by_v_times_root_e_rho():
