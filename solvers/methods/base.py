@@ -15,6 +15,7 @@ from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
+from .fronts import notes_on_ripple
 from .mechanisms import in_laboratory
 from .options import options_of
 from .start import note_on_start
@@ -52,6 +53,7 @@ class Method(ABC):
     MOVES: ClassVar[bool] = False  # whether it follows a mechanism as it moves, not its impact alone
     ROWS: ClassVar[bool] = False  # whether it knows a row of balls, beside one body
     DAMPED: ClassVar[bool] = False  # whether it knows damping of their own
+    RIPPLES: ClassVar[bool] = False  # whether it sums up modes or elements, which ripple behind a front
     WAVES: ClassVar[bool] = True  # whether waves run in the bodies that it solves
     TRUSTED_ERROR: ClassVar[float] = MAX_TRUSTED_ESTIMATE  # up to which its estimate is not reported
     # options that make it finer, the first that a scene allows; none: one answer
@@ -143,6 +145,7 @@ class Method(ABC):
         notes = general_notes(
             solution, own, whole, self._miscounts(), self._resolution(solution.scene), self.TRUSTED_ERROR
         )
+        notes += notes_on_ripple(solution) if self.RIPPLES else []
         notes += notes_on_theory(solution, self.WAVES)
         notes += self._notes_on_links(solution.scene)
         return [note for note in notes if note not in own]

@@ -12,6 +12,7 @@ from ..scene import Scene
 from ..solution.motion import Bends, SendsWaves
 from ..solution.solution import ContactPeriod, Solution
 from ..text.notes import Note, Severity
+from .fronts import front_force
 
 OF_THEORY = ("stress-beyond-yield", "strain-large", "rod-buckles", "pulse-short")  # codes of its notes
 LARGE_STRAIN = 1e-3  # reported where no yield strength is given: most metals yield between it and some 5e-3
@@ -114,7 +115,7 @@ def peak_stress(solution: Solution, each: Loaded) -> float:
         return unit * _largest_sum(solution.motion, each.number, lag, reach)
     if not each.struck:
         return 0.0
-    force = _front_force(scene) if scene.rigid_contact else solution.peak_force
+    force = front_force(scene) if scene.rigid_contact else solution.peak_force
     return (force or 0.0) / rod.area
 
 
@@ -128,12 +129,6 @@ def _largest_sum(motion: SendsWaves, number: int, lag: float, reach: float) -> f
         motion.sent(number, True, sent, after) + motion.sent(number, False, met, after) for after in (True, False)
     ]
     return float(np.abs(stress).max(initial=0.0))
-
-
-def _front_force(scene: Scene) -> float:
-    """Of the first front in a rigid contact [N]: v Z1 Z2 / (Z1 + Z2), a rigid mass having no end of it."""
-    mobility = sum(1.0 / body.rods[0].impedance for body in (scene.impactor, scene.target) if body.rods)
-    return scene.speed / mobility
 
 
 def _buckling(solution: Solution, rods: list[Loaded]) -> list[Note]:

@@ -79,7 +79,7 @@ class Balance(Method):
 
     NAME = "balance"
     RESOLUTIONS = ("elements",)
-    BEAMS = True
+    BEAMS = RIPPLES = True
 
     @classmethod
     def read(cls, given: Mapping[str, Any]) -> Self:
