@@ -47,7 +47,7 @@ from .provenance import release
 from .regimes.plan import Plan, plan
 from .regimes.regime_map import RegimeMap, regime_map
 from .scene import Scene
-from .scenes.library import load, scene_names
+from .scenes.library import load, scene_names, to_toml
 from .solution.motion import Motion
 from .solution.solution import ContactPeriod, Solution
 from .solve import read_method, solve
@@ -129,6 +129,7 @@ __all__ = [
     "stability",
     "stored_tradeoff",
     "sweep",
+    "to_toml",
     "tradeoff",
     "usual_method",
 ]

@@ -35,7 +35,7 @@ from .contact.duration import contact_time
 from .contact.friction import read_friction
 from .contact.protocol import Law
 from .numerics.rigid import impulses
-from .validation import SceneError, allowed
+from .validation import SceneError, allowed, told
 
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles resolve nothing
 LONGEST_NOTE = 600  # characters
@@ -357,7 +357,8 @@ def _check_masses(impactor: AnyBody, target: AnyBody) -> None:
     ratio = target.mass / impactor.mass
     if not 1.0 / LARGEST_MASS_RATIO <= ratio <= LARGEST_MASS_RATIO and ratio != math.inf:
         low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
-        raise SceneError("impactor.mass", impactor.mass, allowed("impactor-mass", low=low, high=high))
+        bounds = {name: told(bound, impactor.mass, 3) for name, bound in (("low", low), ("high", high))}
+        raise SceneError("impactor.mass", impactor.mass, allowed("impactor-mass", **bounds))
 
 
 def _read_normal(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[Any, float | None]:

@@ -74,9 +74,25 @@ def allowed(code: str, **values: Any) -> Note:
     return Note(f"allowed.{code}", Severity.REFUSAL, **values)
 
 
-def a_number(low: float, high: float, unit: str = "", inside: str = "nothing") -> Note:
-    """That a number in [low, high] is allowed; `inside` the rod or the record, if those are its bounds."""
-    return allowed("number", low=low, high=high, unit=unit or "none", inside=inside)
+def told(bound: float, refused: object, digits: int = 6) -> float:
+    """A bound in as few digits, from so many on, as leave the refused value outside."""
+    if not isinstance(refused, (int, float)) or refused == bound:
+        return bound
+    for more in range(digits, 17):
+        rounded = float(f"{bound:.{more}g}")
+        if (rounded > refused) == (bound > refused) and rounded != refused:
+            return rounded
+    return bound
+
+
+def a_number(low: float, high: float, unit: str = "", inside: str = "nothing", refused: object = None) -> Note:
+    """That a number in [low, high] is allowed, and so not the one that is refused; `inside` the rod or the record, if
+    those are its bounds."""
+    shown = [told(bound, refused) for bound in (low, high)]
+    digits = next(n for n in (6, 15, 17) if n == 17 or all(float(f"{bound:.{n}g}") == bound for bound in shown))
+    if digits == 6 or refused is None:
+        return allowed("number", low=low, high=high, digits=6, unit=unit or "none", inside=inside)
+    return allowed("number", low=shown[0], high=shown[1], digits=digits, unit=unit or "none", inside=inside)
 
 
 def number(key: str, value: object, low: float, high: float, unit: str = "", inside: str = "nothing") -> float:
@@ -87,7 +103,7 @@ def number(key: str, value: object, low: float, high: float, unit: str = "", ins
     except OverflowError:
         checked = math.inf
     if not math.isfinite(checked) or not low <= checked <= high:
-        raise SceneError(key, value, a_number(low, high, unit, inside))
+        raise SceneError(key, value, a_number(low, high, unit, inside, value))
     return checked
 
 

@@ -29,6 +29,8 @@ from app.text.catalogues import page as catalogue
 from bench import thesis
 from solvers.text.catalogue import CHOSEN, SOURCE
 
+from .patience import SECONDS
+
 ROOT = Path(__file__).parents[1]
 TOP = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
 DOCS = ROOT / "docs"
@@ -100,7 +102,7 @@ def test_examples_have_the_types_that_pyright_asks_for(tmp_path):
         text = "\n".join(text for kind, text in blocks(page) if kind == "python")
         (tmp_path / f"{re.sub(r'[/-]', '_', named(page))}.py").write_text(text, encoding="utf-8")
     call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable, str(tmp_path)]
-    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=300)
+    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -215,7 +217,7 @@ def site(tmp_path_factory) -> Path:
     built = tmp_path_factory.mktemp("site")
     call = [sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "--site-dir", str(built)]
     quiet = os.environ | {"NO_MKDOCS_2_WARNING": "1"}
-    done = subprocess.run(call, cwd=ROOT, env=quiet, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(call, cwd=ROOT, env=quiet, capture_output=True, text=True, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr
     return built
 

@@ -8,13 +8,15 @@ from pathlib import Path
 
 import pytest
 
+from .patience import SECONDS
+
 ROOT = Path(__file__).parents[1]
 
 
 @pytest.mark.parametrize("arguments", [["check"], ["format", "--check"]], ids=" ".join)
 def test_ruff(arguments):
     call = [sys.executable, "-m", "ruff", *arguments, "--no-cache", "solvers", "app", "tests"]
-    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -40,6 +42,19 @@ def test_no_function_is_longer_than_60_lines():
         if isinstance(found, (ast.FunctionDef, ast.AsyncFunctionDef))
     ]
     assert [function for function in functions if function[-1] > 60] == []
+
+
+def test_no_test_gives_another_process_a_time_that_a_busy_machine_misses():
+    """Of subprocess and HTTP, by `patience.SECONDS`, unless the time is what is tested."""
+    calls = re.compile(r"(subprocess\.\w+|HTTPRequest|fetch)\([^#]*timeout=\d")
+    found = [
+        (path.relative_to(ROOT), number, line.strip())
+        for path in SOURCES
+        if path.suffix == ".py" and "tests" in path.relative_to(ROOT).parts
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if calls.search(line)
+    ]
+    assert found == []
 
 
 def test_no_class_answers_by_getattr():
@@ -82,5 +97,5 @@ def test_words_are_those_of_an_engineer():
 @pytest.mark.slow
 def test_types():
     call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable]
-    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=300)
+    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -9,6 +9,8 @@ import pytest
 from app.text.catalogues import script
 from solvers.text.catalogue import SOURCE
 
+from .patience import SECONDS
+
 ROOT = Path(__file__).parents[1]
 TEXTS = ROOT / "build/texts.mjs"  # what a page loads before its modules
 CHECKS = {
@@ -29,7 +31,7 @@ CHECKS = {
 def test_browser_code(check):
     TEXTS.parent.mkdir(exist_ok=True)
     TEXTS.write_text(script(SOURCE), encoding="utf-8")
-    found = subprocess.run(CHECKS[check], cwd=ROOT, capture_output=True, text=True, timeout=300)
+    found = subprocess.run(CHECKS[check], cwd=ROOT, capture_output=True, text=True, timeout=SECONDS)
     assert found.returncode == 0, found.stdout + found.stderr
 
 
@@ -58,7 +60,7 @@ def broken() -> dict[str, list[str]]:
     """The rules that each sample breaks."""
     codes = ["/* global make, text */\n" + code for code in SAMPLES]
     call = ["node", "--input-type=module", "--eval", LINT, json.dumps(codes)]
-    found = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=100, check=True)
+    found = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=SECONDS, check=True)
     return dict(zip(SAMPLES, json.loads(found.stdout), strict=True))
 
 

@@ -16,6 +16,8 @@ from solvers.methods.waves.chain_scene import ChainScene
 from solvers.stability.runs import INTEGRATORS, problem_of, run
 from tests.catalog import T, contact_table, struck_rod
 
+from .patience import SECONDS
+
 ROOT = Path(__file__).parents[1]
 
 
@@ -54,7 +56,7 @@ def test_plain_python_gives_the_same():
     call = "import json, numba; assert numba.config.DISABLE_JIT; from tests import test_no_jit as here; "
     call += "print(json.dumps(here.answers()))"
     done = subprocess.run(
-        [sys.executable, "-c", call], cwd=ROOT, capture_output=True, text=True, timeout=300,
+        [sys.executable, "-c", call], cwd=ROOT, capture_output=True, text=True, timeout=SECONDS,
         env=os.environ | {"NUMBA_DISABLE_JIT": "1"},
     )  # fmt: skip
     assert done.returncode == 0, done.stderr

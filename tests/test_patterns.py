@@ -10,6 +10,7 @@ import pytest
 from app.text.catalogues import script
 from solvers.text.catalogue import SOURCE
 
+from .patience import SECONDS
 from .patterns import ROOT, hostile, of_javascript, of_python
 
 LENGTHS = (30, 100, 300, 1_000, 3_000, 10_000)  # a cubic pattern is seen before, and never gets to 10 000
@@ -78,5 +79,5 @@ def test_no_pattern_of_the_page_takes_long():
     assert len(patterns) > 20
     given = json.dumps({"patterns": patterns, "lengths": LENGTHS, "most": MOST, "slowest": SLOWEST})
     call = ["node", "--input-type=module", "--eval", FEED]
-    found = subprocess.run(call, cwd=ROOT, input=given, capture_output=True, text=True, timeout=600)
+    found = subprocess.run(call, cwd=ROOT, input=given, capture_output=True, text=True, timeout=SECONDS)
     assert found.returncode == 0, found.stdout + found.stderr

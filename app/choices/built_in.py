@@ -14,6 +14,7 @@ from solvers.validation import shown
 from ..text.refusals import Refused
 from .bodies import is_key, parts_of, read_values, title_of_value, with_values
 from .choices import SCENES, SOLVED_BY, Choices, title_of
+from .own import KEPT, is_own
 
 # by key of scene files: the choice that sets it
 SET_BY = {"target.at": "place", "target.struck.at": "place"} | {key: name for name, key in Choices.KEYS.items()}
@@ -33,10 +34,14 @@ def named_as_on_the_page() -> Iterator[None]:
         raise Refused("refused.value", key=called, **given) from None
 
 
-@lru_cache(maxsize=512)
-@named_as_on_the_page()
 def base_of(name: str, bodies: str = "") -> Scene:
-    """Raises ValueError, for the visitor."""
+    """Raises ValueError, for the visitor. Of those that visitors make, which may take MB each, few are kept."""
+    return _of_visitor(name, bodies) if bodies or is_own(name) else SCENES[name]
+
+
+@lru_cache(maxsize=2 * KEPT)
+@named_as_on_the_page()
+def _of_visitor(name: str, bodies: str) -> Scene:
     return with_values(SCENES[name], read_values(bodies))
 
 

@@ -18,7 +18,8 @@ from solvers.validation import shown
 
 from ..text.refusals import SOME_TEXT, Refused, code_or, reason_of
 from .bodies import BodyValues, read_values
-from .own import CHECKS, is_own, own_scene
+from .facts import facts_of
+from .own import is_own, own_scene
 
 # in one language, as a server speaks to visitors of several
 _LOADED = {name: built_in(name, SOURCE) for name in solvers.scene_names()}
@@ -51,8 +52,7 @@ class SceneName(param.Selector):
 
     def _validate(self, val: Any) -> None:
         if is_own(val):
-            for check in (own_scene, *CHECKS):
-                check(val)
+            facts_of(val).check()
         else:
             super()._validate(val)
 

@@ -14,6 +14,7 @@ from solvers import Scene
 from solvers.bodies import Mechanism
 from solvers.bodies.linkage.links import GROUND
 
+from .own import check_modes
 from .part import Part, in_table
 
 PLACED = ("length", "x", "y")  # quantities that no table of a scene file has as one number
@@ -37,11 +38,12 @@ def mechanism_values(scene: Scene) -> dict[str, Any]:
 def mechanism_changes(base: Scene, chosen: dict[str, Any]) -> dict[str, Any]:
     """The keys of the scene struck at the chosen place and speed of approach, with so many modes of links that bend.
 
-    Raises SceneError for a place that cannot be struck.
+    Raises SceneError for a place that cannot be struck, Refused for more modes than there may be of all links.
     """
     target = base.target.table()
     target["links"] = [link | {"modes": chosen["modes"]} if link.get("modes") else link for link in target["links"]]
     target["struck"] |= {"at": chosen["place"]}
+    check_modes({"target": target})
     velocity = base.target.known_as(Mechanism).velocity_at(chosen["place"])
     return {"target": target, "impactor.velocity": velocity + chosen["speed"]}
 

@@ -5,8 +5,9 @@ import binascii
 import re
 import tomllib
 import zlib
-from collections.abc import Callable
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
+from typing import Any
 
 from solvers import Scene, SceneError
 from solvers.scenes.saved import MARK as SAVED
@@ -18,10 +19,14 @@ LONGEST = 3_000  # letters of a name
 LONGEST_TEXT = 20_000  # bytes of the text
 AT_LINE = re.compile(r"\bline (\d+)")
 LETTERS = re.compile(r"[\w-]*")
-MOST_DOTS = 400  # in a line: what reads TOML takes the square of the parts of a key in time and memory
-
-# What else is asked of one before it is taken, by who knows all choices; each raises Refused.
-CHECKS: list[Callable[[str], None]] = []
+# Of a key, with those of the table that it stands in: what reads TOML takes their square in time and memory.
+MOST_PARTS = 20
+_PART = r"""(?:[\w-]+|"[^"]*"|'[^']*')"""
+PART, DOTTED = re.compile(_PART), re.compile(rf"{_PART}(?:[ \t]*\.[ \t]*{_PART})*")
+# Of all links together, nodes of finite elements included: a mechanism takes their square in time and memory, and is
+# assembled several times to read it. Three links may have all that there can be; built-in scenes have fewer.
+MOST_MODES = 600
+KEPT = 4  # scenes that a process keeps, of up to 16 MB each
 
 
 def is_own(name: object) -> bool:
@@ -29,19 +34,21 @@ def is_own(name: object) -> bool:
     return isinstance(name, str) and name.startswith(MARK)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=KEPT)
 def own_scene(name: str) -> Scene:
-    """The scene of a name. Raises Refused, by line and key, for one that is none."""
+    """The scene of a name. Raises Refused, by line and key, for one that is none.
+
+    Not for the event loop of a server, which has `app.choices.facts`.
+    """
     text = _text_of(name)
-    for number, each in enumerate(text.splitlines(), 1):
-        if each.count(".") > MOST_DOTS:
-            raise Refused("refused.own-line", line=number, most=MOST_DOTS)
+    _check_keys(text)
     try:
         tables = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         said, at = (str(error).splitlines() or [""])[0][:120], AT_LINE.search(str(error))
         line = int(at[1]) if at else len(text.splitlines())
         raise Refused("refused.own-toml", line=line, why=said.split(" (at ")[0]) from None
+    check_modes(tables)
     try:
         return Scene.from_table({key: table for key, table in tables.items() if key != SAVED})
     except SceneError as refusal:
@@ -61,6 +68,32 @@ def _text_of(name: str) -> str:
         return text.decode("utf-8-sig")
     except (ValueError, zlib.error, binascii.Error):
         raise Refused("refused.own-cut") from None
+
+
+def _check_keys(text: str) -> None:
+    """Raises Refused for a key of too many parts, before anything reads it."""
+    table = 0
+    for number, line in enumerate(text.splitlines(), 1):
+        parts = max((len(PART.findall(found[0])) for found in DOTTED.finditer(line)), default=1)
+        header = line.lstrip().startswith("[")
+        if (parts if header else table + parts) > MOST_PARTS:
+            raise Refused("refused.own-line", line=number, most=MOST_PARTS)
+        table = parts if header else table
+
+
+def check_modes(tables: Mapping[str, Any]) -> None:
+    """Raises Refused for tables of a scene whose links have too many modes together, before they are assembled."""
+    if sum(_modes_in(tables)) > MOST_MODES:
+        raise Refused("refused.modes", most=MOST_MODES)
+
+
+def _modes_in(tables: Mapping[str, Any]) -> Iterator[int]:
+    """Numbers of modes that tables ask for, whatever else they are."""
+    for body in ("impactor", "target"):
+        links = tables[body].get("links") if isinstance(tables.get(body), dict) else None
+        for link in filter(lambda each: isinstance(each, dict), links if isinstance(links, (list, tuple)) else ()):
+            yield from (max(link[key], 0) for key in ("modes", "axial") if isinstance(link.get(key), int))
+            yield 3 * len(link["nodes"]) if isinstance(link.get("nodes"), list) else 0
 
 
 def line_of(text: str, key: str) -> int:

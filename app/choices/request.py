@@ -15,6 +15,7 @@ DRAFT = "draft"  # key, beside the choices, of the share of the resolution that 
 IN_VIEW = (
     "time_in_view"  # key, beside the choices, of the stretch of time that histories are sampled for, "START END" [s]
 )
+SOLVED = ("method", "modes", "elements", "shapes", "floating_frame", "motion_seconds", "motion_links")  # how it is
 LEAST = 4  # modes or elements of a draft, where as many are chosen
 
 
@@ -64,6 +65,13 @@ class Request:
     def own(self) -> dict[str, Any]:
         """The choices with which the page opens the scene with these bodies."""
         return own_choices(self.chosen["scene"], self.chosen["bodies"])
+
+    @property
+    def changed(self) -> bool:
+        """Whether bodies or contact are not those of the scene as it comes, however it is solved."""
+        alike = own_choices(self.chosen["scene"], "") | {name: self.chosen[name] for name in SOLVED}
+        now, own = self.scene.table(), chosen_scene(alike).table()
+        return any(now[part] != own[part] for part in ("impactor", "target", "contact"))
 
     @property
     def acting(self) -> list[str]:

@@ -5,21 +5,32 @@ from typing import Any
 
 from solvers import Scene
 
-from ..text.refusals import Refused
+from ..text.refusals import Refused, reason_of
 from .built_in import base_of, body_keys, keyed, named_as_on_the_page
-from .choices import Choices, accepts, refusal
+from .choices import SCENES, Choices, accepts, refusal
+from .facts import READERS, Facts, facts_of
 from .kinds import kind_of
-from .own import CHECKS
+from .opened import opening_of
+from .own import is_own, own_scene
 
 
 def choices_of(name: str, bodies: str = "") -> dict[str, Any]:
     """The values that a built-in scene asks for, each within its bounds; `bodies`: values of these that are changed."""
+    if is_own(name) and not bodies:
+        return facts_of(name).values | {"bodies": ""}
     return _own_values(name, bodies) | {"bodies": bodies}
 
 
 def own_choices(name: str, bodies: str = "") -> dict[str, Any]:
     """A value for every choice, as the page opens a built-in scene; an address says only what differs from these."""
+    if is_own(name) and not bodies:
+        return _USUAL | choices_of(name) | {"scene": name}
     return dict(_all_choices(name, bodies))
+
+
+def kind_name(name: str) -> str:
+    """Of the kind of a scene, as it is in messages."""
+    return facts_of(name).kind if is_own(name) else kind_of(SCENES[name]).NAME
 
 
 def acting_choices(chosen: dict[str, Any]) -> list[str]:
@@ -51,14 +62,26 @@ def _wanted(name: str, bodies: str) -> dict[str, Any]:
     return kind_of(scene).values(scene) | keyed(name, bodies)
 
 
-@lru_cache(maxsize=64)
-def _within_the_page(name: str) -> None:
-    """Raises Refused for a scene of a visitor's own in which something is beyond what the page has."""
-    usual = {each: Choices.param[each].default for each in Choices.CHOSEN}
-    acting = acting_choices(usual | choices_of(name) | {"scene": name})
+_USUAL = Choices().chosen()
+
+
+def _read(name: str) -> Facts:
+    """Facts of a scene of a visitor's own."""
+    try:
+        scene = own_scene(name).struck
+        values = _own_values(name, "")
+        _check_range(name, values)
+    except ValueError as refusal:
+        return Facts(name, refused=reason_of(refusal))
+    return Facts(name, values=values, kind=kind_of(scene).NAME, views=opening_of(name).views)
+
+
+def _check_range(name: str, values: dict[str, Any]) -> None:
+    """Raises Refused where something is beyond what the page has."""
+    acting = acting_choices(_USUAL | values | {"scene": name, "bodies": ""})
     for each, value in _wanted(name, "").items():
         if each in acting and not accepts(each, value):
             raise Refused("refused.own-beyond", why=refusal(each, value).note)
 
 
-CHECKS.append(_within_the_page)
+READERS.append(_read)

@@ -45,7 +45,10 @@ def main(arguments: list[str] | None = None) -> int:
         return 0
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        print(text("run.no-output", why=error.strerror), file=sys.stderr)
+        missing = error.filename is not None  # of a part of the program, as all that users name is checked before
+        why = {"why": error.strerror or str(error)}
+        said = text("run.no-file", file=error.filename, **why) if missing else text("run.no-output", **why)
+        print(said, file=sys.stderr)
         return 2
 
 
@@ -208,6 +211,7 @@ def _record_command(commands: Any) -> None:
     parser.add_argument("--kind", help=text("help.record.kind"))
     parser.add_argument("--at", action="append", default=[], metavar="X", help=text("help.record.at"))
     parser.add_argument("--columns", metavar="NAMES", help=text("help.record.columns"))
+    parser.add_argument("--decimal", metavar="SIGN", help=text("help.record.decimal"))
     parser.add_argument("--sign", default="1", help=text("help.record.sign"))
     parser.add_argument("--shift", metavar="S", help=text("help.record.shift"))
     parser.add_argument("--recover", action="store_true", help=text("help.record.recover"))
@@ -268,9 +272,11 @@ def _scene(options: argparse.Namespace) -> solvers.Scene:
 
 
 def _warm(options: argparse.Namespace) -> int:
+    from solvers.numerics.processors import processors
+
     from ..jobs.compiler import compile_at_once
 
-    compile_at_once(os.cpu_count() or 1)
+    compile_at_once(processors())
     print(text("run.compiled"))
     return 0
 

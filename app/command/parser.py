@@ -13,11 +13,25 @@ class Refused(Exception):
     """A line for the user; the command ends with 2."""
 
 
+class _Once(argparse.Action):
+    """A value that is given once: a second one would be kept in place of the first, without a word."""
+
+    def __call__(self, parser, namespace, values, option_string=None):
+        given = namespace.__dict__.setdefault("_given", {})
+        if self.dest in given:
+            values = {"option": self.option_strings[-1], "first": given[self.dest], "second": values}
+            parser.error(text("parser.given-twice", **values))
+        given[self.dest] = values
+        setattr(namespace, self.dest, values)
+
+
 class Parser(argparse.ArgumentParser):
     """Its refusals are raised as `Refused`."""
 
     def __init__(self, *arguments, **options):
         super().__init__(*arguments, **options)
+        self.register("action", None, _Once)
+        self.register("action", "store", _Once)
         self._negative_number_matcher = re.compile(r"-\.?\d")  # -3e-4 is a value too, not an option, before 3.14
 
     def error(self, message):

@@ -22,7 +22,7 @@ from solvers.records import (
 )
 from solvers.text.notes import Note, Severity, coded
 
-from ..views.record import MAX_FOLLOWED, other_sign
+from ..views.record import MAX_FOLLOWED, clock_notes, other_sign
 from .export import check_name
 from .words import family, figure, text
 
@@ -48,6 +48,7 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
     notes, other = list(solution.notes), other_sign(records[0], solution, places[0], found[0])
     if other is not None:
         notes.append(Note("record.other-sign", Severity.WARNING, residual=other))
+    notes += clock_notes(records[0])
     if options.series is not None:
         _write(options.series, _series(solution, records, places, found, waves))
     answer = _answer(solution, records, places, found, waves, notes)
@@ -75,7 +76,7 @@ def _records(options: argparse.Namespace, count: int) -> list[Record]:
     file = example() if options.example else options.file
     columns = None if options.columns is None else tuple(name.strip() for name in options.columns.split(","))
     validation.choice("--sign", options.sign, ("1", "-1"))
-    how = {"kind": options.kind, "columns": columns, "sign": int(options.sign)}
+    how = {"kind": options.kind, "columns": columns, "sign": int(options.sign), "decimal": options.decimal}
     return [load_record(file, gauge=number, **how) for number in range(1, count + 1)]
 
 

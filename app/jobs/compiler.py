@@ -34,6 +34,7 @@ from ..choices.scene_of import own_choices
 from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
 
+IDLE_SECONDS = 10.0  # after which the process ends if nothing is asked: it has 0.6 GB
 HANG_SECONDS = 60.0  # without a word while somebody waits: the longest single compilation takes some 15 s
 MOVING = "slider-crank", "four-bar-moves"  # mechanisms that move on, of rigid and of flexible links
 log = logging.getLogger("strikewave")
@@ -96,7 +97,7 @@ class Compiler:
     def _running(self) -> subprocess.Popen:
         if self._process is None or self._process.poll() is not None:
             self._process = subprocess.Popen(
-                [sys.executable, "-m", __name__],
+                [sys.executable, "-m", __name__, str(IDLE_SECONDS)],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 text=True,
@@ -111,6 +112,7 @@ class Compiler:
         for line in process.stdout:
             self._heard = time.monotonic()
             self._answer([line.strip()])
+        process.wait()
         with self._lock:
             lost = list(self._waiting) if self._process is process else []
         self._answer(lost)
@@ -201,8 +203,9 @@ def _compile(pieces: list[Piece]) -> None:
         do[name](choices)
 
 
-def main() -> None:
-    """Answer each line of standard input, a piece of work, by the same line when it is done; end with the input."""
+def main(idle: float) -> None:
+    """Answer each line of standard input, a piece of work, by the same line when it is done; end with the input, or
+    when nothing has come for `idle` seconds."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends this process
     shorten()
     requests: queue.SimpleQueue[str] = queue.SimpleQueue()
@@ -222,8 +225,10 @@ def main() -> None:
 
     if not all_compiled().exists():
         compile_usual(serve_all)
-    while True:
-        serve(requests.get())
+    with suppress(queue.Empty):
+        while True:
+            serve(requests.get(timeout=idle))
+    os._exit(0)  # whoever has just asked is answered as if it had died
 
 
 def _receive(requests: queue.SimpleQueue) -> None:
@@ -233,4 +238,4 @@ def _receive(requests: queue.SimpleQueue) -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(float(sys.argv[1]))

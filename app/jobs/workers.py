@@ -9,7 +9,6 @@ forked, in some milliseconds, from one that has everything loaded.
 import asyncio
 import logging
 import math
-import os
 import signal
 import time
 from collections.abc import Callable, Hashable
@@ -17,13 +16,14 @@ from contextlib import suppress
 from typing import Any, NamedTuple
 
 from solvers.jit.compiling import NotCompiled
+from solvers.numerics.processors import processors
 
 from ..text.refusals import Refused, raised_again
 from .fair import Shares
 from .processes import Process
 from .worker import DONE, NOT_COMPILED, PART, REFUSED, Task
 
-CPUS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+CPUS = processors()
 MAX_SECONDS = 10.0  # of computing that an answer to the sliders may take; longer, and others wait too long behind it
 WALL_FACTOR = 10.0  # times a level's seconds, by the clock, when work leaves it: it waits for a processor, or hangs
 MAX_WALL = 12.0  # times its seconds, by the clock, when it is taken to hang: not running, it uses no computing

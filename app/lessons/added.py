@@ -15,7 +15,7 @@ def add(folder: Path) -> list[tuple[Path, Problem]]:
 
     Raises FileNotFoundError where there is no lesson file, OSError where the folder cannot be read.
     """
-    paths = [path for path in folder.iterdir() if path.suffix == ".md" and not path.name.startswith(".")]
+    paths = [path for path in folder.iterdir() if _may_be_lesson(path)]
     if not paths:
         raise FileNotFoundError
     found: dict[str, dict[str, Lesson]] = {}
@@ -31,6 +31,12 @@ def add(folder: Path) -> list[tuple[Path, Problem]]:
     if not wrong:
         ADDED.update(found)
     return wrong
+
+
+def _may_be_lesson(path: Path) -> bool:
+    """A file, as a pipe would be waited for, and none that says what is in the folder."""
+    named = path.suffix == ".md" and not path.name.startswith(".") and path.stem.lower() != "readme"
+    return named and path.is_file()
 
 
 def _misnamed(path: Path, lesson: Lesson) -> Problems:

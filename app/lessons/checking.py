@@ -2,7 +2,7 @@
 
 import math
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,9 +14,10 @@ from solvers import SceneError, Solution
 from solvers.jit.compiling import NotCompiled
 
 from ..choices.choices import Choices
+from .answers import Solved, answers_of, with_answers
 from .events import times_of
 from .judging import exact_line, judged
-from .lesson import Lesson, Order, Part, Scene, Set, Sketch, Span, Step, Time
+from .lesson import Lesson, Number, Order, Part, Scene, Set, Sketch, Span, Step, Time
 from .problems import LessonError, Problem, Problems
 from .reading import Read, read_in_full
 from .showing import has
@@ -41,17 +42,19 @@ def check(path: Path) -> Checked:
         found = read_in_full(path)
     except LessonError as error:
         return Checked(None, error.problems)
-    problems = _Check(found).problems
-    return Checked(found.lesson, tuple(sorted(problems, key=lambda each: each.line)), found.lesson.missing)
+    done = _Check(found)
+    problems = tuple(sorted(done.problems, key=lambda each: each.line))
+    return Checked(with_answers(found.lesson, done.answers), problems, found.lesson.missing)
 
 
-def tried(found: Read, seconds: float) -> tuple[Problems, bool]:
-    """What is wrong in the scenes of a lesson, and whether all of it was tried within so many seconds of computing.
+def tried(found: Read, seconds: float) -> tuple[Lesson, Problems, bool]:
+    """The lesson with its answers, what is wrong in its scenes, and whether all of it was tried within so many seconds
+    of computing.
 
     Where kernels may not be compiled, steps that need others are not tried.
     """
     done = _Check(found, seconds)
-    return done.problems, done.whole
+    return with_answers(found.lesson, done.answers), done.problems, done.whole
 
 
 class _Over(Exception):
@@ -64,6 +67,7 @@ class _Check:
     def __init__(self, read: Read, seconds: float = math.inf):
         self.problems, self.whole = Problems(), True
         self.known: dict[str, Shown | None] = {}
+        self.answers: dict[str, Solved] = {}
         self.ends = time.process_time() + seconds
         for number, step in enumerate(read.lesson.steps):
             try:
@@ -91,6 +95,8 @@ class _Check:
                 self._sketch(part, shown.solution, times)
             if isinstance(part, Order):
                 self._order(part, times)
+            if isinstance(part, Number) and (found := answers_of(part, shown, self.problems)):
+                self.answers[part.name] = found
             if isinstance(part, Set):
                 self._goal(part, step)
 
@@ -170,14 +176,28 @@ class _Check:
             self.problems.add(part.lines["goal"], "goal-unreached", low=low, high=high, **about)
 
     def _met(self, part: Set, step: Step, places: Iterable[float]) -> bool:
-        """At one of the places; where there is no solution it is not met."""
-        for place in places:
-            value = round(place) if isinstance(Choices.param[part.slider], param.Integer) else place
-            try:
-                if meets(self._now(step, **{part.slider: value}), part.goal):
-                    return True
-            except ValueError:
-                continue
+        """At one of the places."""
+        return any(_met(part, place, lambda **changes: self._now(step, **changes)) for place in places)
+
+
+def spans_met(part: Set, step: Step) -> list[tuple[float, float]]:
+    """Stretches of a slider, between its places that are tried, in which the goal is met."""
+    found: list[tuple[float, float]] = []
+    last = False
+    for place in _places(part.range, PLACES_ANYWHERE):
+        met = _met(part, place, lambda **changes: solved(step, **changes))
+        if met:
+            found[-1:] = [(found[-1][0], place)] if last else [*found[-1:], (place, place)]
+        last = met
+    return found
+
+
+def _met(part: Set, place: float, now: Callable[..., Shown]) -> bool:
+    """Where there is no solution it is not met."""
+    value = round(place) if isinstance(Choices.param[part.slider], param.Integer) else place
+    try:
+        return meets(now(**{part.slider: value}), part.goal)
+    except ValueError:
         return False
 
 

@@ -6,6 +6,8 @@ Times are in T, the time unit of the scene, from the first touch on, or names of
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
+from .formula import Formula
+
 Time = float | str
 Span = tuple[Time, Time]
 
@@ -88,12 +90,24 @@ class Mistake:
     power_of_ten: bool = False
 
 
+@dataclass(frozen=True)
+class Unsolved:
+    """What of a question is to be solved for; `share`: the tolerance, of the answer, None where it is a number."""
+
+    answer: Formula | None
+    share: float | None
+    mistakes: tuple[Formula | None, ...]
+
+
 @dataclass(frozen=True, kw_only=True)
 class Number(Question):
-    """A number and its unit; `tolerance` in the unit of `answer`. `units` are offered, `factors` make SI of them."""
+    """A number and its unit; `tolerance` in the unit of `answer`. `units` are offered, `factors` make SI of them.
+
+    `answer` is None until it is solved for; see `app.lessons.answers`.
+    """
 
     KIND: ClassVar = "number"
-    answer: float
+    answer: float | None
     unit: str
     tolerance: float
     units: tuple[str, ...]
@@ -101,6 +115,8 @@ class Number(Question):
     yes: Sentence
     no: Sentence
     mistakes: tuple[Mistake, ...]
+    unsolved: Unsolved | None = field(default=None, compare=False)
+    lines: dict[str, int] = field(default_factory=dict, compare=False)  # of `answer`, and those of mistakes
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -2,6 +2,7 @@
 
 import json
 
+from .answers import solves, unsolved
 from .checking import tried
 from .document import decoded
 from .problems import LessonError, Problem
@@ -22,11 +23,16 @@ def read_own(content: bytes, language: str) -> str:
 
 
 def try_own(content: bytes, language: str) -> str:
-    """The same of the scenes of a lesson that can be read: `problems`, or `whole`, whether all of them were tried."""
-    problems, whole = tried(_read(content), TRY_SECONDS)
+    """The same of the scenes of a lesson that can be read: `problems`, or `whole`, whether all of them were tried; the
+    `lesson` again where answers were solved for. One whose answers could not be is refused.
+    """
+    found = _read(content)
+    lesson, problems, whole = tried(found, TRY_SECONDS)
+    for part in unsolved(lesson) if not problems else ():
+        problems.add(part.line, "answer-untried", name=part.name, seconds=TRY_SECONDS)
     if problems:
         return _refusal(LessonError(problems).problems, language)
-    return _json({"whole": whole})
+    return _json({"whole": whole} | ({"lesson": lesson_record(lesson)} if solves(lesson) else {}))
 
 
 def _read(content: bytes) -> Read:

@@ -8,7 +8,10 @@ from solvers import SceneError
 from solvers.validation import choice, number
 
 from .fields import LARGEST, Fields, numbers
-from .lesson import Choice, Found, Goal, Item, Mistake, Number, Option, Order, Part, Set
+from .figures import is_figure
+from .figures import names as figure_names
+from .formula import Formula, formula
+from .lesson import Choice, Found, Goal, Item, Mistake, Number, Option, Order, Part, Set, Unsolved
 from .problems import wanted
 from .solving import COUNTED, QUANTITIES
 from .stage import Stage, bounds_of, value_for
@@ -33,19 +36,45 @@ def read_choice(fields: Fields, stage: Stage, name: str, line: int) -> Part:
 
 
 def read_number(fields: Fields, stage: Stage, name: str, line: int) -> Part:
-    """An answer with its unit, and usual mistakes."""
-    answer = fields.number("answer", -LARGEST, LARGEST)
-    known = [unit for units in UNITS for unit in units]
-    unit = fields.tried("unit", lambda key, value: _unit(key, value, known), "1", True)
+    """An answer with its unit, and usual mistakes; either may be a formula, which is solved for later."""
+    known = figure_names(stage.kind, stage.numeric())
+    answer, asked = _answer(fields, known)
+    all_units = [unit for units in UNITS for unit in units]
+    unit = fields.tried("unit", lambda key, value: _unit(key, value, all_units), "1", True)
     units = fields.names("units", alike(unit)) or (unit,)
-    tolerance = fields.tried("within", lambda key, value: _tolerance(key, value, answer), 0.0, True)
+    within, share = fields.tried("within", _tolerance, (0.0, False), True)
     yes, no = fields.said("yes"), fields.said("no")
-    mistakes = tuple(_mistake(each) for each in fields.tables("mistake", 0, MOST))
+    tables = fields.tables("mistake", 0, MOST)
+    mistakes, formulas = [], []
+    for each in tables:
+        mistake, wrong = _mistake(each, known)
+        mistakes.append(mistake)
+        formulas.append(wrong)
+    solved = asked is not None or any(formulas)
     factors = tuple(alike(unit).get(each, 1.0) for each in units)
+    lines = {"answer": fields.line("answer")} | {f"{each.key}.answer": each.line("answer") for each in tables}
     return Number(
-        name=name, line=line, answer=answer, unit=unit, tolerance=tolerance, units=units, factors=factors,
-        yes=yes, no=no, mistakes=mistakes,
+        name=name, line=line, answer=answer, unit=unit, units=units, factors=factors, yes=yes, no=no,
+        tolerance=within * abs(answer or 0.0) if share else within, mistakes=tuple(mistakes), lines=lines,
+        unsolved=Unsolved(asked, within if share else None, tuple(formulas)) if solved else None,
     )  # fmt: skip
+
+
+def _answer(fields: Fields, known: list[str]) -> tuple[float | None, Formula | None]:
+    """A number, or a formula of figures."""
+    if not isinstance(fields.given.get("answer"), str):
+        return fields.number("answer", -LARGEST, LARGEST), None
+    return None, fields.tried("answer", lambda key, value: _formula(key, value, known), None, True)
+
+
+def _formula(key: str, value: str, known: list[str]) -> Formula:
+    try:
+        found = formula(value)
+    except ValueError:
+        raise SceneError(key, value, wanted("formula", example="{impulse} / 2")) from None
+    if not found.figures or not all(is_figure(each, known) for each in found.figures):
+        raise SceneError(key, value, wanted("figures", names=known, example="{touch-2}"))
+    return found
 
 
 def _unit(key: str, value: Any, known: list[str]) -> str:
@@ -54,11 +83,11 @@ def _unit(key: str, value: Any, known: list[str]) -> str:
     return value
 
 
-def _tolerance(key: str, value: Any, answer: float) -> float:
-    """In the unit of the answer."""
+def _tolerance(key: str, value: Any) -> tuple[float, bool]:
+    """In the unit of the answer, or as a share of it."""
     if not isinstance(value, str):
         try:
-            return number(key, value, 0.0, LARGEST)
+            return number(key, value, 0.0, LARGEST), False
         except SceneError:
             raise SceneError(key, value, wanted("part")) from None
     share = value.removesuffix("%").strip()
@@ -68,18 +97,18 @@ def _tolerance(key: str, value: Any, answer: float) -> float:
         part = math.nan
     if not 0.0 < part <= 100.0:
         raise SceneError(key, value, wanted("part"))
-    return 0.01 * part * abs(answer)
+    return 0.01 * part, True
 
 
-def _mistake(fields: Fields) -> Mistake:
+def _mistake(fields: Fields, known: list[str]) -> tuple[Mistake, Formula | None]:
     given = [each for each in ("answer", "numbers", "power-of-ten") if each in fields.given]
     if len(given) != 1:
         fields.problem("say", "mistake-of", value=", ".join(given) or "nothing")
-    answer = fields.number("answer", -LARGEST, LARGEST) if "answer" in given else None
+    answer, asked = _answer(fields, known) if "answer" in given else (None, None)
     digits = fields.tried("numbers", _numbers, (), False)
     found = Mistake(say=fields.said("say"), answer=answer, numbers=digits, power_of_ten=fields.flag("power-of-ten"))
     fields.close()
-    return found
+    return found, asked
 
 
 def _numbers(key: str, value: Any) -> tuple[float, ...]:

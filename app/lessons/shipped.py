@@ -4,6 +4,7 @@ from pathlib import Path
 
 from solvers.text.catalogue import SOURCE
 
+from .answers import stored, with_answers
 from .lesson import Lesson
 from .reading import read
 
@@ -39,7 +40,8 @@ def shipped_lesson(name: str, language: str = SOURCE) -> Lesson:
     if name not in shipped_names():
         raise KeyError(name)
     translated = FOLDER / f"{name}.{language}.md"
-    return read(translated if translated in lesson_files() else FOLDER / f"{name}.md")
+    found = read(translated if translated in lesson_files() else FOLDER / f"{name}.md")
+    return with_answers(found, stored().get(name, {}))
 
 
 def title_of(name: str, language: str) -> str:
@@ -69,9 +71,3 @@ def in_order(given: list[Lesson]) -> list[Lesson]:
     courses = sorted((course(name) for name in by_name if name not in following), key=lambda each: (-len(each), each))
     names = dict.fromkeys(name for each in courses for name in each)
     return [by_name[name] for name in (*names, *(name for name in by_name if name not in names))]
-
-
-def template(name: str) -> str:
-    """The text of a lesson to begin with, under this name."""
-    first, _, rest = (Path(__file__).parent / "template.md").read_text(encoding="utf-8").split("\n", 2)
-    return "\n".join((first, f"lesson: {name}", rest))

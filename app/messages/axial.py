@@ -42,7 +42,7 @@ from .encoding import (
 )
 from .fall import fall_fields
 from .laws import followed
-from .parts import common
+from .parts import common, taken_along
 from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_force
 from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
 from .solutions import both, by_modes
@@ -76,7 +76,7 @@ def axial_frame(request: Request) -> bytes:
     header = {
         "kind": "axial",
         **common(scene, request),
-        "head": _head(scene, exact, other),
+        "head": _head(taken_along(scene, request), exact, other),
         "refusals": refusals(scene),
         "trip": trip,
         "duration": exact.duration / trip,

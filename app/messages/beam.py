@@ -16,7 +16,7 @@ from solvers.studies.contact_times import compare_with_half_space
 from ..choices.kinds import own_options
 from ..choices.request import Request
 from .laws import Units, law_fields
-from .transverse import DRAWN_MODES, Answer, comparison_arrays, field_arrays, impact_frame, main_solution
+from .transverse import DRAWN_MODES, Answer, comparisons, field_arrays, impact_frame, main_solution
 
 SAMPLED_PLACES = 41  # of fields that are not by modes
 HALF_SPACE_POINTS = 160
@@ -28,7 +28,9 @@ def beam_frame(request: Request) -> bytes:
     main, reason = main_solution(request)
     scene, beside = request.scene, None if request.draft else modes_beside(request.scene, main)
     header, arrays = field_arrays(main, request.stretch, SAMPLED_PLACES)
-    arrays |= _half_space(scene) | _speeds(scene, main) | comparison_arrays(main, header["places"])
+    beside_it, compared = comparisons(main, header["places"])
+    header |= beside_it
+    arrays |= _half_space(scene) | _speeds(scene, main) | compared
     march = march_of(request, main)
     laws = law_fields(scene, request.chosen, Units(1.0, 1.0)) if march else []
     if march and not march["compliance"]:  # nothing would give way in a rigid contact
@@ -89,7 +91,7 @@ def _half_space(scene: Scene) -> dict[str, np.ndarray]:
 
 def _speeds(scene: Scene, main: Solution) -> dict[str, np.ndarray]:
     """Angular frequency over wavenumber by the theory in use, and the kept modes on that curve [rad/s, 1/m]."""
-    modes = scene.target.modes(main.method.get("modes") or MODES_BESIDE[0])
+    modes = scene.target.modes(main.method.get("modes") or MODES_BESIDE)
     line, highest = scene.target.known_as(Bending).line, float(modes.frequencies[-1])
     reach = 1.0 / scene.target.length
     while float(dispersion(line, np.array([reach]))[0][0]) < 1.15 * highest:

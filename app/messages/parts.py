@@ -1,7 +1,9 @@
 """What the browser needs of the bodies themselves: what can be set, within which bounds, and what follows from it."""
 
 import math
+import re
 from collections.abc import Collection
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -17,10 +19,14 @@ from solvers.text.notes import Note
 from ..choices.bodies import parts_of
 from ..choices.choices import SCENES, strikes
 from ..choices.opened import Opening
+from ..choices.own import is_own
 from ..choices.part import RANGES, Part
 from ..choices.request import Request
 from ..choices.space import equivalent_box
 from .encoding import unshown
+
+CLAIM = r"(?<!\d): "  # in a title, behind what the scene is about: what happens, as in app/static/form/settings.js
+CHANGED = " (changed)"  # behind the title of a file
 
 
 def common(scene: Scene, request: Request | None, notes: Collection[Note] = ()) -> dict[str, Any]:
@@ -43,6 +49,14 @@ def common(scene: Scene, request: Request | None, notes: Collection[Note] = ()) 
     }
 
 
+def taken_along(scene: Scene, request: Request | None) -> Scene:
+    """The scene as it is written into a file: a changed one without what its scene says of itself, which held there."""
+    if request is None or not request.changed:
+        return scene
+    about = re.split(CLAIM, scene.title)[0].removesuffix(CHANGED)
+    return replace(scene, title=about and about + CHANGED, source="", note="")
+
+
 def part_records(request: Request | None) -> list[dict[str, Any]]:
     """Every body, every rod of a chain, every link and joint of a mechanism, as in `records.RECORDS`."""
     if request is None:
@@ -52,10 +66,16 @@ def part_records(request: Request | None) -> list[dict[str, Any]]:
     return [_part_record(part, own[part.key], part.key == striker) for part in parts_of(request.scene)]
 
 
-@lru_cache(maxsize=512)
 def _own_parts(name: str) -> dict[str, Part]:
     """Of a scene as it is in its file, by their keys."""
+    return _parts_of(name) if is_own(name) else _built_in_parts(name)
+
+
+def _parts_of(name: str) -> dict[str, Part]:
     return {part.key: part for part in parts_of(SCENES[name])}
+
+
+_built_in_parts = lru_cache(maxsize=512)(_parts_of)
 
 
 def _part_record(part: Part, own: Part, strikes: bool) -> dict[str, Any]:

@@ -82,6 +82,7 @@ RECORDS: dict[str, Fields] = {
         "share": Field("number", "of its length"),
         "axis": Field("[number, number] | null", "along which it slides"),
         "driven": Field("boolean"),
+        "scatters": Field("boolean", "whether what it does to waves is known"),
     },
     "BodyRecord": {
         "shape": Field("'stop' | 'point' | 'ball' | 'box'"),

@@ -205,6 +205,7 @@ BENDING: Fields = {  # of a beam, or the struck link of a mechanism
             "rigidMass": Field("number | null", "felt at the struck place; None if the beam is held [kg]"),
             "drift": Field("number", "of the beam as a whole before the impact [m/s]"),
             "drawnModes": Field("number"),
+            "staticModel": Field("string | null", "of the quasi-static estimate, which says nothing of some"),
             "keptModes": Field("number"),
             "fieldTime": Field("(instants)", "of methods without modes, closer together at first [s]"),
             "fieldDeflection": Field("(instants, places)", "[m]"),

@@ -21,7 +21,7 @@ from ..choices.built_in import base_of
 from ..choices.request import Request
 from ..choices.space import equivalent_box, own_frame
 from .encoding import coded, packed
-from .parts import common
+from .parts import common, taken_along
 
 STEPS = 60  # samples of the movement on either side of the impact
 LARGEST_TURN = 1.2  # [rad] shown on either side
@@ -57,7 +57,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
     header = {
         "kind": "bodies",
         **common(scene, request, solution.notes),
-        "head": saved_head(scene, solution.method, solution.duration),
+        "head": saved_head(taken_along(scene, request), solution.method, solution.duration),
         "refusals": {},
         "duration": duration,
         "size": size,

@@ -25,7 +25,7 @@ from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
 from .encoding import LARGEST_MASS, Stretch, cycle, figures_of, instants, packed, refusals, whole_numbers
 from .histories import force_arrays, motion_instants, paths, rates_at, rates_of_contacts
-from .parts import common
+from .parts import common, taken_along
 from .solutions import method_options
 
 ROUNDING = 1e-9
@@ -90,7 +90,7 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
     moves = isinstance(main.motion, MovingMotion)
     header = {
         **common(scene, request),
-        "head": saved_head(main.scene if moves else scene, main.method, main.duration),
+        "head": saved_head(taken_along(main.scene if moves else scene, request), main.method, main.duration),
         "refusals": refusals(scene),
         "refused": answer.reason and answer.reason.table(),
         "trip": 1.0,
@@ -203,19 +203,23 @@ def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.nda
     return header, arrays
 
 
-def comparison_arrays(main: Solution, places: int) -> dict[str, np.ndarray]:
-    """Comparisons for the impact: the law's cycle; if it applies, the quasi-static estimate of the struck place
-    [m], and the shape of the beam bent at rest there."""
+def comparisons(main: Solution, places: int) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """Header and arrays of comparisons for the impact: the law's cycle; if it applies, the quasi-static estimate of the
+    struck place [m] and its model, and the shape of the beam bent at rest there. One by which the place does not move
+    says nothing of it, and is left out."""
     scene, estimate = main.scene, METHODS["quasi-static"].read({})
     found = cycle(main, CYCLE_SAMPLES)
     if estimate.refusal(scene):
-        return found
+        return {"staticModel": None}, found
     time = np.linspace(0.0, main.duration, 200)
-    path = estimate.solve(scene, main.duration).known_motion.end_position(time)
+    solved = estimate.solve(scene, main.duration)
+    path = solved.known_motion.end_position(time)
+    if not np.any(path):
+        return {"staticModel": None}, found
     found |= {"staticTime": time, "staticPath": path}
     if scene.target.fixed:
-        modes = scene.target.modes(MODES_BESIDE[0])
+        modes = scene.target.modes(MODES_BESIDE)
         weights = modes.at_contact / modes.frequencies**2
         bent = weights @ modes.shapes(np.linspace(0.0, scene.target.length, places))
         found["staticShape"] = bent / float(weights @ modes.at_contact)
-    return found
+    return {"staticModel": solved.method.get("model")}, found

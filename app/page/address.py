@@ -1,11 +1,13 @@
 """What is chosen, open on the page and asked there, as its address says it."""
 
 import re
+from itertools import islice
 from typing import Any
 
 import param
 
 from ..choices.beam import free_place
+from ..choices.bodies import LONGEST as LONGEST_VALUES
 from ..choices.bodies import is_key
 from ..choices.body_value import with_body_value
 from ..choices.choices import Choices, accepts, refusal
@@ -27,6 +29,7 @@ ASKED = {  # by name in the address: the property, the panel in which it is aske
     for key, (name, panel, question) in _QUESTIONS.items()
 }
 LONGEST_TEXT = 80  # of a value in an address
+MOST_VALUES = LONGEST_VALUES // len("target.mass=1")  # of bodies: more are longer than they may be together
 FORMER = {"seconds": "motion_seconds", "links": "motion_links"}  # keys of older links, and what they are now
 FORMER_PANELS = {"motion": {"method": "multibody"}}  # what is a choice since
 
@@ -69,12 +72,14 @@ def _bodies_in(arguments: dict[str, list[bytes]], kept: dict[str, Any]) -> tuple
     """Values of bodies, by keys of scene files in SI units, as choices of the scene that is `kept`; and refusals."""
     found: dict[str, Any] = dict(kept)
     refused: list[ValueError] = []
-    for key in filter(is_key, arguments):
+    for key in islice(filter(is_key, arguments), MOST_VALUES):
         asked = Choices(**found).chosen() | {"body_value": f"{key}={text_of(arguments[key])}"}
         try:
             found |= with_body_value(asked)
         except ValueError as refusal:
             refused.append(refusal)
+    if sum(map(is_key, arguments)) > MOST_VALUES:
+        refused.append(Refused("refused.body-values", longest=LONGEST_VALUES))
     return found, refused
 
 
@@ -98,14 +103,6 @@ def value_of(parameter: param.Parameter, text: str) -> object:
 def shown_of(text: str, value: object) -> object:
     """What may be shown of a value from an address: nothing that could be more than a word or a number."""
     return value if re.fullmatch(r"[\w.+-]{1,24}", text) else SOME_TEXT
-
-
-def chosen_in(arguments: dict[str, list[bytes]]) -> dict[str, Any]:
-    """The choices in a query. Raises ValueError for the first that cannot be."""
-    choices, refused = from_address(arguments)
-    if refused:
-        raise refused[0]
-    return Choices(**choices).chosen()
 
 
 def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[ValueError]]:

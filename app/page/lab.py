@@ -20,6 +20,8 @@ from solvers import Waves
 
 from ..choices.beam import free_place
 from ..choices.choices import Choices, accepts, refusal
+from ..choices.facts import facts_of
+from ..choices.own import is_own
 from ..choices.request import DRAFT
 from ..choices.scene_of import choices_of, own_choices
 from ..jobs.answers import KEPT
@@ -30,11 +32,12 @@ from ..messages.solve import solve_frame
 from ..text.catalogues import LANGUAGES, script
 from ..text.refusals import reason_of
 from ..views.registry import opened_with
-from .address import ASKED, PANELS, from_address, opened_from_address
+from .address import ASKED, PANELS
 from .begin import begin
 from .drafts import Drafts
 from .panels import Panels
 from .questions import accepted
+from .reading import TAKEN, take
 
 STATIC = Path(__file__).parents[1] / "static"
 _SERVED = [file.read_bytes() for file in sorted(STATIC.rglob("*")) if file.is_file()] + [
@@ -82,6 +85,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         self._away = False
         self.answered_at = 0.0  # when the visitor was last shown an answer or refusal
         self._shown_choices: dict[str, Any] = {}  # the choices of the frame that is shown
+        self._hold()
         self._quiet = False
         self.param.watch(self._changed, list(self.CHOSEN))
         self.watch_moves()
@@ -93,6 +97,11 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     @classmethod
     def _component_resource_path(cls, esm_path: Any, compiled: Any) -> str:
         return "/".join([*filter(None, [pn.state.rel_path]), f"assets/{VERSION}/page.js"])  # served like all of ours
+
+    def _hold(self) -> None:
+        """Hold what is known of scenes of the visitor's own: of that which is chosen, and of that which is shown."""
+        names = {self.scene, self._shown_choices.get("scene")}
+        self._facts = [facts_of(name) for name in names if name is not None and is_own(name)]
 
     @property
     def choices_model(self) -> str:
@@ -159,6 +168,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
             with self._silence():  # as if opened directly, whichever scene was before
                 self.param.update(**own_choices(self.scene))
             self.param.update(**opened_with(self.scene, left[0]))
+            self._hold()
         if any(event.name == "support" for event in events):
             with self._silence():
                 self.place = free_place(self.support, self.place)
@@ -203,6 +213,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     def _show(self, answered: dict[str, Any], message: bytes) -> None:
         self.answered_at = time.monotonic()
         self._shown_choices = answered
+        self._hold()
         self.frame = message
         self.ask_panels()
 
@@ -302,14 +313,16 @@ def spec_of_choices() -> dict[str, Any]:
 
 def create() -> "Lab":
     """One visitor's laboratory, with the choices that the address asks for."""
-    choices, refused = from_address(pn.state.session_args)
-    opened, refused_too = opened_from_address(pn.state.session_args)
-    lab = Lab(height=None, **choices, **opened)  # the window has one
-    if (document := pn.state.curdoc) is not None:
+    document = pn.state.curdoc
+    context = document.session_context if document is not None else None
+    taken = TAKEN.pop(context.id, None) if context else None
+    taken = taken or take(pn.state.session_args)
+    lab = Lab(height=None, **taken.choices, **taken.opened)  # the window has one
+    if document is not None:
         document.config.reconnect_session = False  # the page comes back with a session of its own, see connection.js
         document.config.notify_connection_status = False
         document.template_variables["dist_url"] = LOCAL_DIST  # else styles are fetched from another host
         _LABS[document] = lab
-    if reasons := [*map(reason_of, (*refused, *refused_too)), *json.loads(lab.refused or "[]")]:
+    if reasons := [*taken.refused, *json.loads(lab.refused or "[]")]:
         lab.refused = json.dumps(reasons)  # which the browser shows one after the other
     return lab

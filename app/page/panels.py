@@ -8,15 +8,17 @@ from typing import Any
 import param
 
 from ..choices.body_value import with_body_value
-from ..choices.choices import SCENES
-from ..choices.kinds import kind_of
+from ..choices.own import is_own
 from ..choices.request import IN_VIEW
+from ..choices.scene_of import kind_name
 from ..jobs.long_run import LongRun
 from ..jobs.runner import Runner
+from ..jobs.workers import Lost
 from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
 from .begin import begin
 from .questions import Questions
+from .reading import by_worker, depends_on
 
 MAX_ANALYSIS_SECONDS = 30.0  # of computing that one answer of a view may take
 REST_SECONDS = 0.4  # for which choices must stand before a view of many solves follows them
@@ -41,6 +43,7 @@ class Panels(Questions):
         self._pending: Counter[str] = Counter()  # by view: times that it was asked and is not answered
         self._again: set[str] = set()  # long runs that begin anew when they have ended
         self._asked: dict[str, Hashable] = {}  # by view: what its last answer, or the one that comes, depends on
+        self._looking: dict[str, Any] = {}  # by view: what was asked last, whose scene may have to be looked at
         self._led: dict[str, Any] = {}  # by question that leads somewhere: what was asked last, until it is answered
         self.param.watch(self.ask_panels, list(self.FOLLOWED))
         for view in VIEWS:
@@ -94,6 +97,7 @@ class Panels(Questions):
         """The visitor has gone; who comes back asks anew."""
         self._asked.clear()
         self._again.clear()
+        self._looking.clear()
         for run in (*self._runners.values(), *self._long.values()):
             run.leave()
 
@@ -107,21 +111,33 @@ class Panels(Questions):
             concerned = not events or changed & {view.opener, *view.sent}
             if not (concerned and view.work and self._shows(view)):
                 continue
-            asked = self._asked_of(view)
-            if (depends_on := view.depends_on(asked)) is not None:
-                self._want(view, asked, depends_on)
+            asked = self._looking[view.name] = self._asked_of(view)
+            if view.looks and (asked["bodies"] or is_own(asked["scene"])):
+                begin(partial(self._look, view, asked))
+            else:
+                self._want(view, asked, view.depends_on(asked))
+
+    async def _look(self, view: View, asked: dict[str, Any]) -> None:
+        """Have a worker look at a scene that is the visitor's own, unless something else is asked meanwhile."""
+        try:
+            found = await by_worker(depends_on, view.name, asked, who=self.visitor)
+        except (ValueError, Lost):  # which the visitor sees where it is solved
+            return
+        if self._looking.get(view.name) is asked and self._shows(view):
+            self._want(view, asked, found)
 
     def _asked_of(self, view: View) -> dict[str, Any]:
         return self.chosen() | {name: getattr(self, name) for name in view.sent}
 
     def _shows(self, view: View) -> bool:
         """Whether a view is open, and for this scene."""
-        return getattr(self, view.opener) and kind_of(SCENES[self.scene]).NAME in view.kinds
+        return getattr(self, view.opener) and kind_name(self.scene) in view.kinds
 
     def _want(self, view: View, asked: dict[str, Any], depends_on: Hashable) -> None:
-        """Ask, unless the same, as far as it matters, was asked last, or the visitor has a long run answer it."""
+        """Ask, unless it is for another scene, the same, as far as it matters, was asked last, or the visitor has a
+        long run answer it."""
         measured = view.name in self._long and self._long[view.name].busy
-        if measured or self._asked.get(view.name) == depends_on:
+        if depends_on is None or measured or self._asked.get(view.name) == depends_on:
             return
         self._asked[view.name] = depends_on
         if view.stoppable:  # the visitor sees that it is under way, and may stop it

@@ -16,6 +16,7 @@ from bokeh.util.token import (
 
 from ..choices.bodies import is_key
 from ..choices.choices import Choices
+from ..choices.own import LONGEST
 from ..jobs.fair import Shares
 from ..page.address import ASKED, FORMER, LONGEST_TEXT
 from .limits import ADDRESS_SESSIONS, IDLE_SECONDS, MAX_BARRED, MAX_SESSIONS
@@ -39,7 +40,12 @@ class Door:
 
     def issue(self, arguments: dict[str, list[bytes]]) -> str:
         """A token for a new session with these choices; the session itself is made when its socket opens."""
-        kept = {key: [arguments[key][-1][: 4 * LONGEST_TEXT]] for key in arguments if key in KNOWN or is_key(key)}
+        longest = {"scene": LONGEST}  # whose name is all of it, if it is the visitor's own
+        kept = {
+            key: [arguments[key][-1][: longest.get(key, 4 * LONGEST_TEXT)]]
+            for key in arguments
+            if key in KNOWN or is_key(key)
+        }
         return generate_jwt_token(
             generate_session_id(secret_key=self._secret, signed=True),
             secret_key=self._secret,

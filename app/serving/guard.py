@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from ..choices.bodies import LONGEST
 from ..choices.choices import Choices
 from ..choices.own import LONGEST as LONGEST_SCENE
+from ..choices.own import is_own
 from ..page.questions import Questions
 from .limits import MAX_EVENTS
 
@@ -19,6 +20,15 @@ SETTABLE = frozenset((*Choices.CHOSEN, *Questions.ASKED))
 REPORTED = frozenset(
     ("dark_mode", "device_pixel_ratio", "language", "timezone", "timezone_offset", "webdriver", "webgl")
 )
+
+READY = [  # as Bokeh's script writes it
+    {
+        "kind": "MessageSent",
+        "msg_type": "bokeh_event",
+        "msg_data": {"type": "event", "name": "document_ready", "values": values},
+    }
+    for values in ({"type": "map"}, {"type": "map", "entries": []})
+]
 
 
 class Decision(NamedTuple):
@@ -32,7 +42,7 @@ def decide(kind: str, content: Any, own: str, settable: frozenset[str]) -> Decis
     """Of a message of this kind, and its content; `own` is the id of the model that holds the visitor's choices."""
     if kind == "PULL-DOC-REQ":
         return Decision(None, [])
-    events = content.get("events") if isinstance(content, dict) else None
+    events = content["events"] if isinstance(content, dict) and content.keys() == {"events"} else None
     if kind != "PATCH-DOC" or not isinstance(events, list) or len(events) > MAX_EVENTS:
         return Decision("not allowed", [])
     taken = []
@@ -81,12 +91,12 @@ def _plain(value: Any, longest: int) -> bool:
 
 def _says_ready(event: Any) -> bool:
     """The one event of the document: that the page is drawn."""
-    if not isinstance(event, dict) or event.get("kind") != "MessageSent" or event.get("msg_type") != "bokeh_event":
-        return False
-    data = event.get("msg_data")
-    if not isinstance(data, dict) or data.get("type") != "event" or data.get("name") != "document_ready":
-        return False
-    return data.get("values") in ({"type": "map"}, {"type": "map", "entries": []})
+    return isinstance(event, dict) and event in READY  # with no other key: Bokeh makes objects of all that it finds
+
+
+def own_scenes(events: list[dict[str, Any]]) -> list[str]:
+    """Names of scenes of the visitor's own that these events, which are taken, choose."""
+    return [event["new"] for event in events if event.get("attr") == "scene" and is_own(event["new"])]
 
 
 def newest_only(events: list[dict[str, Any]], later: list[dict[str, Any]]) -> list[dict[str, Any]]:

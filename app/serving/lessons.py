@@ -3,7 +3,6 @@
 import asyncio
 import json
 from collections.abc import Callable
-from functools import cache
 
 from tornado.web import HTTPError, RequestHandler
 
@@ -16,29 +15,35 @@ from ..lessons.record import lesson_record
 from ..lessons.shipped import lesson_languages, shipped_lesson
 from ..text.refusals import Refused
 from .language import language_of
+from .once import made_once
 from .uploads import Upload
 
 READ_SECONDS = 5.0  # of computing for a text; the worst that is known take 1.5 s
 ONE_SOLVE = 2.0  # s of computing of the last solve, which may begin before the time for all of them is over
 
 
-@cache
 def lesson_text(name: str, language: str) -> str:
-    """A lesson as JSON, read once. Raises KeyError for a name of none."""
+    """A lesson as JSON. Raises KeyError for a name of none."""
     found = lesson_record(shipped_lesson(name, language))
     return json.dumps(found, ensure_ascii=False, separators=(",", ":"))
+
+
+def _answers(found: str) -> bool:
+    """Whether all numbers that a lesson asks for are there: those of formulas are solved for with its scenes."""
+    parts = [part for step in json.loads(found)["lesson"]["steps"] for part in step["parts"]]
+    return all(part["answer"] is not None for part in parts if part["kind"] == "number")
 
 
 class Lesson(RequestHandler):
     """What a lesson says; a browser keeps it, and asks whether it is still the same."""
 
-    def get(self, name: str) -> None:
+    async def get(self, name: str) -> None:
         language = language_of(self.request, lesson_languages())
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Vary", "Accept-Language, Cookie")
         self.set_header("Content-Type", "application/json")
         try:
-            self.write(lesson_text(name, language))
+            self.write(await made_once(lesson_text, name, language))
         except KeyError:
             raise HTTPError(404) from None
 
@@ -67,8 +72,11 @@ class OwnLesson(Upload):
         try:
             tried = await self._done(try_own, content, language, TRY_SECONDS + ONE_SOLVE)
         except GivenUp:
+            if not _answers(found):  # it cannot be asked without them
+                raise Refused("serving.lesson.unsolved", seconds=TRY_SECONDS) from None
             tried = '{"whole":false}'
-        return tried if "problems" in json.loads(tried) else f"{found[:-1]},{tried[1:]}"
+        known = json.loads(tried)
+        return tried if {"problems", "lesson"} & known.keys() else f"{found[:-1]},{tried[1:]}"
 
     async def _done(self, work: Callable, content: bytes, language: str, seconds: float) -> str:
         who = Stranger("lessons", self.address)

@@ -28,6 +28,7 @@ from .door import FULL
 from .language import ASKED, language_of
 from .libraries import CORE, PANEL, extension
 from .limits import MAX_PAGES_OF_ONE
+from .once import made_once
 from .still import bare_frame, first_still
 
 # of the page, in this order: address, and the file there
@@ -146,6 +147,7 @@ def styles(without: Container[str] = ()) -> bytes:
     return SPARE.sub("", IMPORT.sub(sheet, (STATIC / SHEETS).read_text("utf-8"))).encode()
 
 
+@cache
 def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
     if file == STATIC / ENTRY:
@@ -228,12 +230,12 @@ class Texts(RequestHandler):
 class Figure(RequestHandler):
     """What the figure of a view looks like; a browser keeps it, and asks whether it is still the same."""
 
-    def get(self, language: str, name: str) -> None:
+    async def get(self, language: str, name: str) -> None:
         if name not in FIGURES or language not in LANGUAGES:
             raise HTTPError(404)
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Content-Type", "application/json")
-        self.write(figure_text(name, language))
+        self.write(await made_once(figure_text, name, language))
 
     head = get
 
@@ -241,7 +243,7 @@ class Figure(RequestHandler):
 class Gallery(RequestHandler):
     """Pictures of scenes and the list of all; a browser keeps it, and asks whether it is still the same."""
 
-    def get(self, language: str) -> None:
+    async def get(self, language: str) -> None:
         if language not in LANGUAGES:
             raise HTTPError(404)
         self.set_header("Cache-Control", "no-cache")
@@ -250,19 +252,17 @@ class Gallery(RequestHandler):
         packed = "gzip" in self.request.headers.get("Accept-Encoding", "")
         if packed:
             self.set_header("Content-Encoding", "gzip")
-        known = gallery_packed(language)
+        known = await made_once(gallery_packed, language)
         self.write(known if packed else gzip.decompress(known))
 
     head = get
 
 
-@cache
 def gallery_packed(language: str) -> bytes:
     """The gallery as JSON, packed: the same for all who read the language."""
     return gzip.compress(json.dumps(gallery(language), ensure_ascii=False, separators=(",", ":")).encode(), 9, mtime=0)
 
 
-@cache
 def figure_text(name: str, language: str) -> str:
     """The figure of a view as JSON, drawn when it is first asked for: in a tenth of a second, the same for all.
 

@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import Any, ClassVar
 
 from bokeh.protocol.message import Message
-from bokeh.util.token import get_session_id
+from bokeh.util.token import get_session_id, get_token_payload
 from panel.io.server import WSHandler
 from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError
@@ -22,6 +22,7 @@ from ..jobs.loops import of_loop
 from ..jobs.turns import Rate, Turnstile
 from ..jobs.workers import Workers
 from ..page.lab import Lab, lab_of
+from ..page.reading import TAKEN, Taken, facts_by_worker, taken_by_worker
 from . import guard
 from .addresses import host_of
 from .haste import Haste
@@ -73,6 +74,7 @@ class Socket(WSHandler):
     session_id = ""
     _closing: ClassVar[deque[WebSocketProtocol]] = deque()  # of all visitors, the oldest first
     _turn: asyncio.Future | None = None  # turn to begin, while waited for
+    _reading: asyncio.Future | None = None  # a scene of the visitor's own, likewise
 
     async def prepare(self) -> None:
         if not host_of(self.request.headers.get("Origin", "http://none")):
@@ -124,14 +126,24 @@ class Socket(WSHandler):
         turnstile = of_loop(Turnstile)
         stranger = Stranger(SESSIONS, self.address)
         turnstile.charge(stranger, SOCKET_SECONDS)
-        self._turn = asyncio.ensure_future(turnstile.enter(stranger))
+        self._turn = asyncio.ensure_future(self._taken_in_turn(token, stranger))
         await asyncio.wait([self._turn])
         if not self._open:
             return
         self._charge(self._door.debt(self.address))
-        await turnstile.paid(stranger, super()._async_open(token))
+        TAKEN[self.session_id] = self._turn.result()
+        try:
+            await turnstile.paid(stranger, super()._async_open(token))
+        finally:
+            TAKEN.pop(self.session_id, None)
         if (lab := self._lab) is not None:  # who left meanwhile has none
             lab.come_back()
+
+    async def _taken_in_turn(self, token: str, stranger: Stranger) -> Taken:
+        """What the address of the page says, when it is this socket's turn."""
+        taken = await taken_by_worker(get_token_payload(token).get("arguments", {}), stranger)
+        await of_loop(Turnstile).enter(stranger)
+        return taken
 
     async def on_message(self, fragment: str | bytes) -> None:
         """Take a part of a message; who sends more than their share is not read from until it is their turn."""
@@ -280,7 +292,12 @@ class Socket(WSHandler):
                 message, events = self._mail.popleft()
                 if message.msgtype == "PATCH-DOC":
                     message.content["events"] = events
-                await turnstile.paid(self.session_id, self._handle_and_answer(message))
+                facts = []  # of scenes of the visitor's own, which are known as long as this has them
+                for name in guard.own_scenes(events):
+                    self._reading = asyncio.ensure_future(facts_by_worker(name, self.session_id))
+                    facts.append(await self._reading)
+                if not self._gone:
+                    await turnstile.paid(self.session_id, self._handle_and_answer(message))
         finally:
             self._delivering = False
 
@@ -354,8 +371,8 @@ class Socket(WSHandler):
             protocol._abort()
 
     def on_close(self) -> None:
-        if self._turn is not None:
-            self._turn.cancel()  # who has gone keeps no place in the line
+        for waited in filter(None, (self._turn, self._reading)):
+            waited.cancel()  # who has gone keeps no place in the line
         if not self.session_id:
             return
         self._door.leave(self)

@@ -19,10 +19,10 @@ from solvers.records.files import check_size
 from ..jobs.compiler import COMPILER
 from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
+from ..jobs.turns import Turnstile
 from ..jobs.workers import Lost, Workers
-from ..page.address import chosen_in
+from ..page.reading import by_worker, chosen_in, compared
 from ..text.refusals import note, reason_of
-from ..views.record import record_answer
 from .addresses import Addresses, host_of
 
 MAX_HELD = 64_000_000  # bytes of all files that are on their way, or being worked on
@@ -98,7 +98,9 @@ class Upload(RequestHandler, ABC):
             return self._refuse(*self._refusal)
         self._working.add(self)
         try:
-            answer = await self.answered(bytes(self._body))
+            turnstile, who = of_loop(Turnstile), Stranger("files", self.address)
+            await turnstile.enter(who)
+            answer = await turnstile.paid(who, self.answered(bytes(self._body)))
             if not self._finished:  # to make room, meanwhile
                 self.set_header("Content-Type", "application/json; charset=UTF-8")
                 self.write(answer)
@@ -147,10 +149,10 @@ def first_to_go(held: dict[Upload, int]) -> Upload:
 
 
 async def _answered(content: bytes, arguments: dict[str, list[bytes]], address: str) -> str:
-    """`record_answer` by a worker; what it needs that is not compiled yet is compiled in another process first."""
-    start, chosen, who = of_loop(Workers).start, chosen_in(arguments), Stranger("records", address)
+    """`compared` by a worker; what it needs that is not compiled yet is compiled in another process first."""
+    start, who = of_loop(Workers).start, Stranger("records", address)
     try:
-        return await start(record_answer, content, chosen, arguments, visitor=who).answer
+        return await start(compared, content, arguments, visitor=who).answer
     except NotCompiled:
-        await COMPILER.ready("solve_frame", chosen)
-    return await start(record_answer, content, chosen, arguments, visitor=who, compiled=False).answer
+        await COMPILER.ready("solve_frame", await by_worker(chosen_in, arguments, who=who))
+    return await start(compared, content, arguments, visitor=who, compiled=False).answer

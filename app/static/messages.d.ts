@@ -80,6 +80,7 @@ export interface JointRecord {
   /** of its length */ share: number;
   /** along which it slides */ axis: [number, number] | null;
   driven: boolean;
+  /** whether what it does to waves is known */ scatters: boolean;
 }
 
 export interface BodyRecord {
@@ -350,6 +351,7 @@ export interface Bending extends Common {
   /** felt at the struck place; null if the beam is held [kg] */ rigidMass?: number | null;
   /** of the beam as a whole before the impact [m/s] */ drift?: number;
   drawnModes?: number;
+  /** of the quasi-static estimate, which says nothing of some */ staticModel?: string | null;
   keptModes?: number;
   /** (instants) of methods without modes, closer together at first [s] */ fieldTime?: Numbers;
   /** (instants, places) [m] */ fieldDeflection?: Numbers;

@@ -385,7 +385,7 @@ export class Page {
     this.opening.draw();
     this.closer.later();
     this.history.later();
-    this.player.mark();
+    this.player.look();
   }
   /** @param {string} sentence */
   complain(sentence) {

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from solvers.bodies import Mechanism
-from solvers.bodies.linkage.links import GROUND
-from solvers.studies.scattering import INCOMING, OUTGOING, joint_scattering
+from solvers.studies.scattering import INCOMING, OUTGOING, between_bars, joint_scattering
 from solvers.text.catalogue import Catalogue
 
 from ..choices.built_in import struck_body
@@ -22,9 +21,9 @@ BELOW = 0.1  # of the lowest frequency that `impact joints` takes
 
 
 def of_joined_links(asked: dict[str, Any]) -> Hashable:
-    """The scene and what of its bodies is changed, if two of its links are joined; else None."""
+    """The scene and what of its bodies is changed, if links of which waves are known are joined; else None."""
     target = struck_body(asked)
-    joined = isinstance(target, Mechanism) and any(GROUND not in joint.links for joint in target.joints)
+    joined = isinstance(target, Mechanism) and bool(between_bars(target))
     return (asked["scene"], asked["bodies"]) if joined else None
 
 

@@ -42,6 +42,7 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
     notes = list(solution.notes)
     if (other := other_sign(record, solution, place, found)) is not None:
         notes.append(Note("record.other-sign", Severity.WARNING, residual=other))
+    notes += clock_notes(record)
     recovered = None
     try:
         recovered = _recovered(record, solution, place, found)
@@ -140,6 +141,11 @@ def other_sign(record: Record, solution: Solution, x: float | None, found: Align
     except SceneError:  # with the other sign it lies nowhere
         return None
     return other if other < 0.7 * found.residual.relative else None
+
+
+def clock_notes(record: Record) -> list[Note]:
+    """That its times are counted from its first row, where they are."""
+    return [Note("record.from-first-row", Severity.REMARK, start=record.start)] if record.start else []
 
 
 def record_figure(texts: Catalogue) -> list[Any]:

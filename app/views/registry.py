@@ -5,8 +5,10 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
+from ..choices.facts import facts_of
 from ..choices.kinds import KINDS as EVERY
 from ..choices.opened import opening_of
+from ..choices.own import is_own
 from ..choices.questions import Question
 from . import bounces, convergence, joints, mode_change, plan, spectrum, stability, stretch, tolerance, tradeoff
 from .energy import energy_data, energy_figure, of_impacts
@@ -23,7 +25,7 @@ OF_THE_METHOD = ("method", "modes", "elements", "motion_seconds", "motion_links"
 def opened_with(scene: str, before: str = "") -> dict[str, Any]:
     """The openers of the views that a scene is opened with, and what is asked in them; and, shut, of those that the
     scene `before` it was opened with."""
-    shown, gone = opening_of(scene).views, opening_of(before).views
+    shown, gone = (facts_of(name).views if is_own(name) else opening_of(name).views for name in (scene, before))
     found: dict[str, Any] = {view.opener: view.name in shown for view in VIEWS if view.name in (*shown, *gone)}
     asked = (question for view in VIEWS if view.name in shown for question in view.asked.items())
     return found | {name: question.parameter.default for name, question in asked}
@@ -57,6 +59,7 @@ class View:
     panel: str = ""  # the file in app/static/panels that shows it, where it has another name
     kinds: frozenset[str] = KINDS  # of scene that it is for
     depends_on: Callable[[dict[str, Any]], Hashable] = everything  # of what was asked; None: not for this scene
+    looks: bool = False  # whether that looks at the scene
     figure: Callable | None = None  # of a catalogue: plots that the browser fills, see app.views.figures
     rests: bool = False  # whether choices must stand a moment before they are asked about
     stoppable: bool = False  # whether `work` takes `cancelled`, and the visitor may stop it
@@ -110,7 +113,7 @@ class View:
 AXIAL, BEAMS, MECHANISMS = (frozenset((name,)) for name in ("axial", "beam", "mechanism"))
 BENDING = BEAMS | MECHANISMS
 VIEWS = (  # in the order in which an address names them
-    View("energy", energy_data, figure=energy_figure, kinds=AXIAL | BENDING, depends_on=of_impacts),
+    View("energy", energy_data, figure=energy_figure, kinds=AXIAL | BENDING, depends_on=of_impacts, looks=True),
     View("plan", plan.plan_data, {"regimes": plan.regimes_data}, asked=plan.QUESTIONS, address="needs", panel="plan"),
     View("auto", tolerance.auto_data, asked=tolerance.QUESTIONS, address="tolerance", depends_on=any_method,
          stoppable=True),
@@ -124,13 +127,14 @@ VIEWS = (  # in the order in which an address names them
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
     View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS, rests=True,
          stoppable=True, scenes=("bouncing-ball",)),
-    View("joints", joints.joints_data, figure=joints.joints_figure, kinds=MECHANISMS, depends_on=joints.of_joined_links,
-         scenes=("bent-rods",)),
+    View("joints", joints.joints_data, figure=joints.joints_figure, kinds=MECHANISMS,
+         depends_on=joints.of_joined_links, looks=True, scenes=("bent-rods",)),
     View("stretch", stretch.stretch_data, figure=stretch.stretch_figure, kinds=AXIAL,
-         depends_on=stretch.of_turning_rods, scenes=("figure-5.24",)),
-    View("mode_change", mode_change.mode_change_data, kinds=MECHANISMS, depends_on=mode_change.of_struck_nodes,
-         scenes=("table-6.10",)),
-    View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
+         depends_on=stretch.of_turning_rods, looks=True, scenes=("figure-5.24",)),
+    View("mode_change", mode_change.mode_change_data, kinds=MECHANISMS,
+         depends_on=mode_change.of_struck_nodes, looks=True, scenes=("table-6.10",)),
+    View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL,
+         depends_on=one_rod_support, looks=True),
     View("ringing", modes_data, figure=modes_figure, address="modes", panel="modes", kinds=AXIAL | BEAMS,
          depends_on=of_modes),
     View("spectrum", spectrum.spectrum_data, asked=spectrum.QUESTIONS, kinds=AXIAL | BENDING, rests=True),

@@ -2,10 +2,11 @@
 
 from numba import carray
 
+from solvers.methods.balance.motion import ROUND_TRIPS
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
 from solvers.numerics import balance_drawn, secular
 from solvers.numerics.balance_histories import COLUMNS, CONTACT_COLUMNS, DRAWN
-from solvers.numerics.balances import PATIENCE, Events, Joined, Work
+from solvers.numerics.balances import Events, Joined, Work
 from solvers.numerics.free_motion import Turn
 from solvers.numerics.waves.drawn import NO_ROOM
 
@@ -65,7 +66,7 @@ def balance(
         carray(displacement, fields),
     )  # fmt: skip
     return balance_drawn.answer(
-        mass, whole, given, (located > 0.0, step, PATIENCE, restitution), resolved,
+        mass, whole, given, (located > 0.0, step, ROUND_TRIPS, restitution), resolved,
         (duration, MAX_ROUND_TRIPS * 1.0, AFTERGLOW * 1.0), room, drawn, carray(out, (balance_drawn.FIGURES,)),
     )  # fmt: skip
 

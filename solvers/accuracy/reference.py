@@ -5,6 +5,7 @@ from typing import Any
 
 from ..bodies import FlexiblePendulum, Mechanism
 from ..methods import METHODS, Balance, Modal, RigidImpulse, Waves, usual_method
+from ..methods.modal.estimate import MOST_MODES
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
@@ -17,9 +18,9 @@ REFERENCE_MODES = 80
 EXACT_TOLERANCE = 1e-11
 # Of the sweeps behind the regime maps, whose levels are 1 % and more; `bench/measure_regimes.py` solves thousands.
 SWEEP_TOLERANCE, SWEEP_MODES = 1e-6, 30
-# Modes shown beside others on a beam, the second where the first are what is shown; and steps, at which a slider is
-# still answered at once.
-MODES_BESIDE, STEPS_BESIDE = (40, 20), 20_000
+# Modes shown beside others on a beam, at least, and as a multiple of those shown, so that they are more; and steps, at
+# which a slider is still answered at once.
+MODES_BESIDE, TIMES_BESIDE, STEPS_BESIDE = 40, 2, 20_000
 # Of a bar that bends as it swings, as far as its theory reaches; the others give way as if at rest.
 SHAPES_OF_PENDULUM = 30
 
@@ -71,9 +72,9 @@ def exact_solution(scene: Scene, restitution: float, duration: float | None = No
 
 
 def modes_beside(scene: Scene, shown: Solution) -> Solution | None:
-    """The same impact by modes, of another number than the one shown; None if modes cannot solve it."""
-    own = shown.method["modes"] if shown.method["name"] == Modal.NAME else None
-    modes = next(count for count in MODES_BESIDE if count != own)
+    """The same impact by modes, by more of them than the one shown; None if modes cannot solve it."""
+    own = shown.method["modes"] if shown.method["name"] == Modal.NAME else 0
+    modes = max(MODES_BESIDE, min(TIMES_BESIDE * own, MOST_MODES))
     method = Modal(modes=modes, steps=STEPS_BESIDE, estimate=False)
     return None if method.refusal(scene) else method.solve(scene, shown.duration)
 

@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from .. import validation
 from .balls import Balls
 from .beams import Beam, Bending
-from .drop import fallen
+from .drop import DROPPED, fallen
+from .drop import KEYS as DROP_KEYS
 from .linkage import Mechanism
 from .lumped import RigidMass, SpringMass, Wall
 from .material import MATERIALS, Material, read_material
@@ -88,4 +89,6 @@ def read_body(key: str, given: object) -> AnyBody:
         raise validation.SceneError(key, given, validation.allowed("kind-table"))
     kind = validation.choice(f"{key}.kind", given.get("kind", usual), kinds)
     drops = key == "impactor" and kind != Mechanism.kind  # which has a gravity of its own
+    if drops and kind in DROPPED:
+        validation.table(key, given, (*kinds[kind].KEYS, *DROP_KEYS))
     return kinds[kind].read(key, fallen(given, kind) if drops else given)

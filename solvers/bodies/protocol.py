@@ -89,6 +89,16 @@ class AnyBody(ABC):
         return self.time_unit is not None
 
     @property
+    def slowest_period(self) -> float | None:
+        """No vibration or swing of its own is slower [s]; None: nothing rings or swings in it."""
+        return self.time_unit if self.half_swing is None else 2.0 * self.half_swing
+
+    @property
+    def face_compliance(self) -> float:
+        """How far its struck face gives way, or less, under 1 N at rest, or against its inertia if it is free [m/N]."""
+        return self.softness
+
+    @property
     def kinetic_energy(self) -> float:
         """Before the impact [J]."""
         return 0.5 * self.mass * self.velocity**2 if self.velocity else 0.0

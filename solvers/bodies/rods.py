@@ -6,9 +6,12 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Self
 
+import numpy as np
+
 from .. import validation
 from ..numerics.elements.mesh import Mesh, elements_of_rods, rod_mesh
 from ..numerics.modes import Modes
+from ..numerics.parting import swing_and_give
 from ..numerics.rods import attached_rod_modes, composite_rod_modes, rod_modes
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
@@ -52,6 +55,21 @@ class Waveguide(AnyBody):
     @property
     def softness(self) -> float:
         return sum(1.0 / rod.stiffness for rod in self.rods)
+
+    @cached_property
+    def _swing(self) -> tuple[float, float, float]:
+        """See `numerics.parting.swing_and_give`."""
+        parts = np.array([(rod.impedance, 0.5 * rod.round_trip_time) for rod in self.rods])
+        end = math.inf if self.held else self.rods[-1].end_mass
+        return swing_and_give(parts[:, 0].copy(), parts[:, 1].copy(), 0.0, end)
+
+    @property
+    def slowest_period(self) -> float:
+        return self._swing[0]
+
+    @property
+    def face_compliance(self) -> float:
+        return self._swing[1]
 
     @property
     def stress_source(self) -> tuple[str, float]:
@@ -134,6 +152,13 @@ class Rod(Waveguide):
         if self.end_mass or self.endless:
             return Note("refusals.open-rod", Severity.REFUSAL)
         return None
+
+    @property
+    def slowest_period(self) -> float:
+        """Exactly, without a mass on its end."""
+        if self.end_mass:
+            return super().slowest_period
+        return (2.0 if self.held else 1.0) * self.round_trip_time
 
     def modes(self, count: int) -> Modes:
         return rod_modes(self.length, self.mass, self.wave_speed, self.fixed, count)

@@ -142,6 +142,10 @@ class RotatingRod(AnyBody):
         return 2.0 * self.length / self.wave_speed
 
     @property
+    def slowest_period(self) -> float:
+        return 2.0 * math.pi / float(self.modes(1).frequencies[0])
+
+    @property
     def line(self) -> BeamLine:
         """What bends of it."""
         second = self.section.second_moment

@@ -12,6 +12,7 @@ from ..contact.protocol import Damped
 from ..provenance import compiled
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
+from ..solution.bounds import bounded
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
@@ -103,7 +104,7 @@ class Method(ABC):
         """
         scene = scene_of(scene)
         if scene.struck is not scene:
-            return as_striking(self.solve(scene.struck, duration), scene)
+            return bounded(as_striking(self.solve(scene.struck, duration), scene))
         reason = self.refusal(scene)
         if reason:
             raise SceneNotSupported("method.name", self.NAME, reason)
@@ -121,7 +122,7 @@ class Method(ABC):
         whole, seconds = duration is None, compiled() - before
         solution.refine("diagnostics", lambda _, found: found | {"compile_time": seconds})
         solution.refine("notes", lambda solved, own: [*own, *self._general_notes(solved, own, whole)])
-        return solution
+        return bounded(solution)
 
     def solve_in_full(self, scene: SceneOrName, duration: float | None = None) -> Solution:
         """`solve`, for who reads the notes: where damping in the contact counts waves twice, they say what the elastic
@@ -129,7 +130,7 @@ class Method(ABC):
         """
         scene = scene_of(scene)
         if scene.struck is not scene:
-            return as_striking(self.solve_in_full(scene.struck, duration), scene)
+            return bounded(as_striking(self.solve_in_full(scene.struck, duration), scene))
 
         def elastic(solved: Solution) -> Solution:
             assert isinstance(scene.contact, Damped)

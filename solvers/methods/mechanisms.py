@@ -15,7 +15,7 @@ from ..text.notes import Note, Severity
 
 # Share by which velocities along the normal are off as the configuration turns, or for springs that are left out; with
 # more the figures are uncertain.
-MAX_LEFT_OUT = 0.01
+MAX_LEFT_OUT, MAX_LEFT_OUT_LATER = 0.01, 0.05  # by the end of the contact, and of the time solved
 SPRING_INSTANTS = 400  # of an impact, at which springs are looked at: their impulse to second order, 1e-5
 
 
@@ -188,7 +188,7 @@ class MechanismMotion:
             turning = momentum[2] - 0.5 * link.length * float(link.axes[1] @ momentum[:2])
             found[given.name] = {
                 "final_velocity": (momentum[:2] / link.mass).tolist(),
-                "final_spin": turning / link.inertia,
+                "final_spin": float(turning / link.inertia),
             }
         return found
 
@@ -237,36 +237,51 @@ class MechanismMotion:
 
     # --- energy
 
-    def _done(self, time):
-        """Work of the contact force at the speed of the struck point without the impact [J]."""
-        done = self.speed(time) * self.impulse(time)
-        return done - np.interp(time, *self._sped_up) if self.acceleration or self.jerk else done
+    def _driven(self, time) -> np.ndarray:
+        """Work that the drives have taken up, by the reactions to them [J]."""
+        frozen, state, before = self.frozen, self.target_state(time), self.before(time)
+        speeds, gained = before @ frozen.jacobian.T, frozen.jacobian @ frozen.accelerations * self._followed
+        carried = 0.5 * time[:, None] * (frozen.rates + before) * self._followed
+        borne = self._borne(self.impulse(time), state.rates)
+        grown = self._borne(np.interp(time, *self._summed), state.coordinates)
+        return carried @ frozen.jacobian.T @ frozen.reactions_before + (borne * speeds).sum(axis=1) - grown @ gained
+
+    def _borne(self, impulse: np.ndarray, rates: np.ndarray) -> np.ndarray:
+        """Impulses of the reactions (time, held constraints) to that of the contact (time,) and rates of modes."""
+        frozen, excited = self.frozen, self.frozen.modes.is_excited
+        if not self._swings:
+            return frozen.as_rigid(impulse)
+        found = np.zeros((impulse.size, excited.size))
+        found[:, excited] = rates
+        return frozen.over_time(impulse, found)
 
     @cached_property
-    def _sped_up(self) -> tuple[np.ndarray, np.ndarray]:
-        """Instants, and how much of that is not work, as the speed was less before, up to each [J]."""
+    def _summed(self) -> tuple[np.ndarray, np.ndarray]:
+        """Instants [s], and the impulse summed over the time up to each [N s2]; between them it grows steadily."""
         history = self.relative.force_history()[0]
-        instants = history[np.append(True, np.diff(history) > 0.0)]  # between them the impulse grows steadily
-        before, after = self.impulse(instants[1:], False), self.impulse(instants[:-1])
-        width, middle = np.diff(instants), 0.5 * (instants[1:] + instants[:-1])
-        grown = (self.acceleration + self.jerk * middle) * 0.5 * (before + after)
-        cells = width * (grown + self.jerk * width * (before - after) / 12.0)
-        return instants, np.append(0.0, np.cumsum(cells))
+        instants = history[np.append(True, np.diff(history) > 0.0)]
+        middle = 0.5 * (self.impulse(instants[1:], False) + self.impulse(instants[:-1]))
+        return instants, np.append(0.0, np.cumsum(np.diff(instants) * middle))
 
     def energies(self, time):
-        """Parts of the energy [J]; "drives" is what the drives have taken up, and gravity from the impactor, negative
-        where they feed the impact. What the mechanism would exchange with them without the impact is left out."""
+        """Parts of the energy [J], each by itself: of motion by the velocities, "weight" by how far all has fallen,
+        negative where that feeds the motion, and "drives" by the reactions, what the drives have taken up.
+        """
         time = np.atleast_1d(np.asarray(time, float))
         parts, state, frozen = self.relative.energies(time), self.target_state(time), self.frozen
-        impactor = self.scene.impactor
+        system, impactor = frozen.system, self.scene.impactor
         speed, mass = self.speed(time), 0.0 if impactor.held else impactor.mass  # what is held takes up no energy
-        momentum = frozen.rates @ frozen.system.mass
-        gained = momentum @ frozen.whole * state.velocity + state.rates @ (momentum @ self._vibrations)
+        swift = self.rates(time)
+        kinetic = 0.5 * (swift @ system.mass * swift).sum(axis=1)
         moving = mass * speed * (self.relative.impactor_velocity(time) + 0.5 * speed)
+        fallen = self.coordinates(time) @ system.weight * self._followed
+        bent = state.coordinates @ (self._vibrations.T @ (system.stiffness * frozen.bent))
         return parts | {
             "impactor": parts["impactor"] + moving,
-            "target_rigid": parts["target_rigid"] + self.mechanism.kinetic_energy + gained,
-            "drives": self._done(time) - gained - self.weight * mass * self.impactor_position(time),
+            "target_rigid": kinetic - 0.5 * (state.rates**2).sum(axis=1),
+            "target_vibration": parts["target_vibration"] + bent,
+            "drives": self._driven(time),
+            "weight": 0.0 - fallen - self.weight * mass * self.impactor_position(time),
         }
 
 
@@ -358,7 +373,7 @@ def _spring_notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
 
 
 def _turning_notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
-    """By how much the configuration turns meanwhile."""
+    """By how much the configuration turns meanwhile, and what that makes `whole`, in all the time solved."""
     lasts = solution.contacts[-1].end - solution.contacts[0].start if solution.contacts else 0.0
     spins = {name: abs(motion.frozen.system.spin(i, motion.frozen.rates)) for i, name in enumerate(motion.names)}
     fastest = max(spins, key=lambda name: spins[name])
@@ -367,7 +382,12 @@ def _turning_notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
         return []
     error = freezing_error(solution.scene, lasts, solution.impulse, angle)
     grave = Severity.REMARK if error <= MAX_LEFT_OUT else Severity.WARNING
-    return [Note("configuration-frozen", grave, link=fastest, angle=float(np.degrees(angle)), error=100.0 * error)]
+    whole = freezing_error(solution.scene, solution.duration, solution.impulse, spins[fastest] * solution.duration)
+    late = whole > MAX_LEFT_OUT_LATER
+    if late:
+        grave = Severity.WARNING
+    said = {"angle": float(np.degrees(angle)), "error": 100.0 * error, "whole": 100.0 * min(whole, 1.0), "late": late}
+    return [Note("configuration-frozen", grave, link=fastest, **said)]
 
 
 def freezing_error(scene: Scene, lasts: float, impulse: float, angle: float) -> float:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..bodies import Bending, Material, Rod
+from ..bodies import Beam, Bending, Material, Rod
 from ..contact.duration import contact_time
 from ..scene import Scene
 from ..solution.motion import Bends, SendsWaves
@@ -14,13 +14,24 @@ from ..solution.solution import ContactPeriod, Solution
 from ..text.notes import Note, Severity
 from .fronts import front_force
 
-OF_THEORY = ("stress-beyond-yield", "strain-large", "rod-buckles", "pulse-short")  # codes of its notes
+OF_THEORY = (
+    "stress-beyond-yield",
+    "strain-large",
+    "beam-stretches",
+    "beam-bends-far",
+    "rod-buckles",
+    "pulse-short",
+)  # codes of its notes
 LARGE_STRAIN = 1e-3  # reported where no yield strength is given: most metals yield between it and some 5e-3
 MAX_SPEED_ERROR = 0.05  # of waves as long as the pulse; less is not reported
 LAST_SPEED_ERROR = 0.3  # beyond which the correction itself is no longer known
 MIN_GROWTH = 20.0  # of a slight bend during the impact; less is not reported
 INSTANTS = 250  # at which waves are looked at, besides their jumps
 BENDING_INSTANTS, BENDING_PLACES = 120, 9  # at which a beam is; they miss some tenth of the largest moment
+DEFLECTION_PLACES = 41
+MAX_SLOPE = 0.1  # of a beam whose ends are not held; what is left out is of its square
+MAX_DEPTHS = 0.5  # by which a beam deflects that is held at both ends: beyond it, tension carries some 20 % and more
+TENSION = {"clamped-clamped": 1.0 / 16.0, "pinned-pinned": 0.25}  # force by it over that of bending, in (w / r)^2
 REFLECTIONS = 4.0  # times which its supports may raise the stress at once
 
 
@@ -53,6 +64,8 @@ def notes_on_theory(solution: Solution, waves: bool) -> list[Note]:
         said = {"body": "target", "rod": 0, "kind": "beam"}
         stressed.append(Stressed(_bending_stress(solution, scene.target), scene.target.material, said))
     found = _strength(stressed, scene.speed)
+    if isinstance(scene.target, Beam) and isinstance(solution.motion, Bends):
+        found += _large_deflection(solution, scene.target)
     if rods:
         found += _buckling(solution, rods)
     return found + (_radial_motion(scene, rods) if waves and rods else [])
@@ -102,6 +115,31 @@ def _bending_stress(solution: Solution, beam: Bending) -> float:
     times = np.linspace(0.0, solution.duration, BENDING_INSTANTS)
     moment = solution.motion.moment(times, np.linspace(0.0, beam.length, BENDING_PLACES))
     return fibre * float(np.abs(moment).max())
+
+
+def _large_deflection(solution: Solution, beam: Beam) -> list[Note]:
+    """Where a beam bends so far that its theory, of small deflections, leaves out much.
+
+    Held at both ends along its length it is stretched by a deflection w: as w (1 - cos(2 pi x / L)) / 2 between clamps
+    and w sin(pi x / L) between pins tension adds the shares (w / r)^2 of `TENSION` to the force, r being the radius
+    of gyration of its section. Else shortening is of the square of the slope.
+    """
+    x = np.linspace(0.0, beam.length, DEFLECTION_PLACES)
+    times = np.linspace(0.0, solution.duration, BENDING_INSTANTS)
+    moved = solution.known_motion.displacement(times, x)
+    if beam.support in TENSION:
+        deflection = float(np.abs(moved).max())
+        depths = deflection / (2.0 * beam.half_depth)
+        if depths <= MAX_DEPTHS:
+            return []
+        share = TENSION[beam.support] * deflection**2 * beam.section.area / beam.second_moment
+        values = {"deflection": deflection, "depths": depths, "share": share}
+        return [Note("beam-stretches", Severity.WARNING, **values)]
+    if beam.support == "free-free":  # which may turn as it goes off
+        line = np.polynomial.polynomial.polyfit(x, moved.T, 1)
+        moved = moved - (line[0][:, np.newaxis] + np.multiply.outer(line[1], x))
+    slope = float(np.abs(np.gradient(moved, x, axis=1)).max())
+    return [Note("beam-bends-far", Severity.WARNING, slope=slope, allowed=MAX_SLOPE)] if slope > MAX_SLOPE else []
 
 
 def peak_stress(solution: Solution, each: Loaded) -> float:

@@ -20,6 +20,10 @@ MIN_PERIODS, MIN_PERIODS_HEAVY_ROD, HEAVY_ROD_RATIO = 2.5, 1.2, 10.0
 MAX_TRUSTED_ERROR = 0.05  # of the speed of approach; a larger one is reported
 # As estimated from other resolutions: twice the true error and more in half of all random impacts.
 MAX_TRUSTED_ESTIMATE = 0.1
+MAX_RESIDUAL = 1e-3  # of the energy and of the momentum at first: with more something is missing in the figures
+# Notes that say what a method itself takes from them.
+EXPLAINED = {"cut-short", "energy-changed", "energy-drifts", "fronts-unresolved", "loss-of-steps"}
+EXPLAINED |= {"half-sine", "impulse-as-printed", "switching-impulse", "switching-ill-conditioned"}
 STILL_TOUCHING = Note("still-touching", Severity.WARNING)
 NEVER_PART = Note("contact-fades-for-ever", Severity.REMARK)
 TOUCH_ON = Note("touches-for-ever", Severity.REMARK)
@@ -108,6 +112,9 @@ def general_notes(
     found += filter(None, [counted_twice(solution)])
     if cause is not None:
         found += notes_on_count(solution, whole, cause)
+    open_books = [] if resolution == "steps" else _open_books(solution, notes)  # coarse steps lose some
+    found += open_books
+    notes = [*notes, *open_books]
     error = solution.diagnostics.get("estimated_error")
     trusted = not any(note.severity is Severity.INVALID for note in notes)  # which says more, or that it was cut short
     if error is not None and error >= trusted_error and resolution is not None and trusted:
@@ -117,6 +124,20 @@ def general_notes(
         else:
             found.append(Note("velocity-coarse", Severity.WARNING, error=error, resolution=resolution))
     return found
+
+
+def _open_books(solution: Solution, notes: list[Note]) -> list[Note]:
+    """That energy or momentum do not add up, and why, where no other note says so. Each part is found by itself, so
+    that what is left is what the method leaves out.
+    """
+    if any(note.code in EXPLAINED for note in notes):
+        return []
+    sizes = {name: abs(solution.diagnostics.get(f"{name}_error") or 0.0) for name in ("energy", "momentum")}
+    frozen = next((note.values["whole"] / 100.0 for note in notes if note.code == "configuration-frozen"), 0.0)
+    if max(sizes.values()) <= max(MAX_RESIDUAL, min(frozen, MAX_TRUSTED_ERROR)):
+        return []
+    cause = "turns" if frozen else "other"
+    return [Note("books-open", Severity.INVALID, cause=cause, **sizes)]
 
 
 def notes_on_count(solution: Solution, whole: bool, cause: str) -> list[Note]:

@@ -205,7 +205,9 @@ def answer(mass, whole, given, how, resolved, until, room, drawn, out):
     if how[0]:
         weight = join(bank, room.joined, room.squares, room.holding)
         joined = Joined(joined.frequencies, joined.basis, joined.press, joined.shift, joined.drift, weight)
-    count, step = _marched(bank, joined, how, period, asked if asked > 0.0 else longest, room)
+    if asked > 0.0:  # which is lived through
+        how, longest = (how[0], how[1], np.inf, how[3]), asked
+    count, step = _marched(bank, joined, how, period, longest, room)
     if count + 2 > most:
         return NO_ROOM
     events = _copied(room.events, count)

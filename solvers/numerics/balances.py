@@ -21,7 +21,6 @@ from .secular import hold_together
 
 SAMPLES_PER_PERIOD = 16  # of the highest mode, at which the faces are looked at; with fewer, balances are missed
 MIN_FLIGHT = 1e-4  # of that period: shorter flights between balances are taken as staying together
-PATIENCE = 2.0  # round trips apart and moving apart: for good
 
 
 class Bank(NamedTuple):
@@ -92,11 +91,34 @@ def led_at(bank, time):
     return half + sixth, time * (bank.fall + 0.5 * bank.surge * time), fall
 
 
-@kernel
-def _apart(bank, p, time):
-    """Whether both bodies as a whole move away from each other."""
+@inner_kernel
+def _approach(bank, p, time):
+    """How fast both bodies as wholes come closer."""
     first = bank.closing[0] * p[0] + led_at(bank, time)[1]
-    return first + bank.closing[bank.target] * p[bank.target] < 0.0 if bank.target >= 0 else first < 0.0
+    return first + bank.closing[bank.target] * p[bank.target] if bank.target >= 0 else first
+
+
+@kernel
+def clear_after(bank, q, p):
+    """How soon both bodies, which do not accelerate by themselves, are clear of each other for good, see `parting`:
+    infinite where they do not move apart as wholes.
+    """
+    speed, ahead, reach = _approach(bank, p, 0.0), bank.closing[0] * q[0], 0.0
+    if bank.target >= 0:
+        ahead += bank.closing[bank.target] * q[bank.target]
+    for i in range(q.size):
+        if bank.frequencies[i] > 0.0:
+            reach += abs(bank.closing[i]) * np.hypot(q[i], p[i] / bank.frequencies[i])
+    return max((reach + ahead) / -speed, 0.0) if speed < 0.0 else np.inf
+
+
+@inner_kernel
+def _watched(bank, q, p, patience):
+    """For how long a flight is followed, at most, until the bodies have parted for good."""
+    if bank.fall != 0.0 or bank.surge != 0.0:  # what accelerates by itself may never come
+        return patience
+    soon = clear_after(bank, q, p)
+    return min(soon, patience) if soon < np.inf else soon
 
 
 NOT_JOINED = np.bool_(False)  # no literal: what takes it would be compiled twice
@@ -124,16 +146,16 @@ def _balance(bank, restitution, rate, p):
 def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
     """A balance at the end of every step whose faces overlap and approach, and at time zero.
 
-    From (q, p) up to `end` [s], or until the bodies part and do not meet for `patience` [s]. Returns the number of
-    events and the time reached; stops when there is no room for more.
+    From (q, p) up to `end` [s], or until the bodies have parted for good, watched for `patience` [s] at most. Returns
+    the number of events and the time reached; stops when there is no room for more.
     Source: thesis (6.21); with Newmark's turn tables 6.2 to 6.5 follow digit for digit.
     Differs: (6.22) speaks of halving the step; the tables were made without.
     """
     impulse, lost = _balance(bank, restitution, dot(bank.closing, p), p)
     _write(events, 0, 0.0, impulse, lost, NOT_JOINED, q, p)
-    count, k = 1, 0
+    count, k, longest = 1, 0, _watched(bank, q, p, patience)
     while k * step < end and count < events.time.size:
-        if k * step - events.time[count - 1] > patience and _apart(bank, p, k * step):
+        if k * step - events.time[count - 1] > longest and _approach(bank, p, k * step) < 0.0:
             break
         if k % 64 == 0:
             check_time()
@@ -145,7 +167,7 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
         if overlap >= 0.0 and rate > 0.0:
             impulse, lost = _balance(bank, restitution, rate, p)
             _write(events, count, k * step, impulse, lost, NOT_JOINED, q, p)
-            count += 1
+            count, longest = count + 1, _watched(bank, q, p, patience)
     return count, k * step
 
 
@@ -161,8 +183,9 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
     impulse, lost = _balance(bank, restitution, dot(bank.closing, p), p)
     _write(events, 0, 0.0, impulse, lost, NOT_JOINED, q, p)
     count, time, level, part, before = 1, 0.0, 0, step, 0.0
+    longest = _watched(bank, q, p, patience)
     while time < end and count < events.time.size:
-        if time - events.time[count - 1] > patience and _apart(bank, p, time):
+        if time - events.time[count - 1] > longest and _approach(bank, p, time) < 0.0:
             break
         copy_to(q1, q)
         copy_to(p1, p)
@@ -183,7 +206,7 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
         if overlap >= 0.0 and rate > 0.0:
             impulse, lost = _balance(bank, restitution, rate, p)
             _write(events, count, time, impulse, lost, NOT_JOINED, q, p)
-            count += 1
+            count, longest = count + 1, _watched(bank, q, p, patience)
     return count, time
 
 
@@ -356,10 +379,7 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
             count += 1
             if not parted:
                 break
-        # what accelerates by itself may never come, though it does not part for good
-        free = bank.fall == 0.0 and bank.surge == 0.0 and not _apart(bank, p, time)
-        longest = min(end - time, np.inf if free else patience)
-        elapsed = _fly(bank, turn, step, q, p, q1, p1, time, longest)
+        elapsed = _fly(bank, turn, step, q, p, q1, p1, time, min(end - time, _watched(bank, q, p, patience)))
         if elapsed < 0.0:
             break
         time += elapsed

@@ -15,6 +15,7 @@ from . import modal_contacts
 from .modal_steps import LEAST_STEPS, usual_step
 from .modes import half_period
 from .oscillators import Bank, Record, carried_to, march_in_place, rate_at, residual_spring, ringing, set_bank
+from .parting import WATCHED_PERIODS
 from .waves.drawn import BEYOND, NO_ROOM, SOLVED, instant
 from .waves.laws import DENT, FORCE, STORED
 
@@ -190,9 +191,9 @@ def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, cont
 
 @inner_kernel
 def followed(law, residual, bodies, modes, step, stride, room, most, afterglow):
-    """March whole periods of the target until one has passed without a touch and none can come; how many steps are to
-    be seen, -1: no room. As `Modal` does."""
-    record, chunk, done = room.record, int(np.ceil(2.0 * np.pi / modes[0][0] / step)), 0
+    """March whole periods of the target until both have parted for good, see `parting`; how many steps are to be seen,
+    -1: no room, or they may touch again. As `Modal` does."""
+    record, chunk, done, touched = room.record, int(np.ceil(2.0 * np.pi / modes[0][0] / step)), 0, 0
     while done < most:
         until = min(done + chunk, most)
         if until > record.contact_force.size:
@@ -201,8 +202,16 @@ def followed(law, residual, bodies, modes, step, stride, room, most, afterglow):
         last = until
         while last > 0 and record.contact_force[last - 1] == 0.0:
             last -= 1
-        if last <= done and record.rigid_velocity[until] > record.velocity[until]:
-            return min(until, last + int(np.ceil(afterglow / step))), np.bool_(True)
+        if last > done:
+            touched = until
+        elif record.rigid_velocity[until] > record.velocity[until]:
+            swings = residual.compliance * abs(record.spring_force[until])
+            for i in range(room.displacement.size):
+                swings += np.hypot(room.displacement[i], room.velocity[i])
+            if record.rigid_position[until] - record.position[until] > swings:
+                return min(until, last + int(np.ceil(afterglow / step))), np.bool_(True)
+            if (until - touched) * step >= WATCHED_PERIODS * 2.0 * np.pi / modes[0][0]:
+                return -1, np.bool_(False)
         done = until
     return done, np.bool_(False)
 

@@ -1,7 +1,7 @@
 """Measured records in files: tables as text, checked before anything is computed with them."""
 
-import math
 import re
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,7 @@ from .. import validation
 from ..validation import SceneError
 from .record import KINDS, Record
 from .refused import RecordError
+from .tables import Row, check_cells, digits, read_rows, signs_of, written
 
 MAX_BYTES, MAX_ROWS, LEAST_ROWS = 2_000_000, 200_000, 8
 NAME_LETTERS, ROW_LETTERS, PATH_LETTERS = 40, 60, 200  # of what was given, in a refusal
@@ -61,36 +62,44 @@ def read_record(
     gauge: int = 1,
     columns: tuple[str, ...] | None = None,
     sign: int = 1,
+    decimal: str | None = None,
 ) -> Record:
     """A record from the text of a table: one row per sample, columns named with their units in the first row.
 
-    Separators are semicolons, tabs, commas or blanks; decimal commas are read where commas do not separate; lines that
-    start with # are skipped. Of histories that were saved by the page or by `impact solve`, which say so in these
-    lines, the first column is the record if no `kind` is given. `kind`: which kind of column to read, where there are
-    several; `gauge`: the how manieth of that kind. Without a row of names, `columns` gives them, or else the first
-    column is time in seconds and the second of `kind` in its SI unit. Strain is positive in tension, stress and force
-    in compression; `sign` -1 turns a record in which it is the other way round.
+    Separators are semicolons, tabs, commas or blanks, and cells may be in quotation marks; the decimal sign is found
+    from all cells of the file, or is `decimal`, a point or a comma; lines that start with # are skipped. Times that
+    begin further from zero than a record can last are counted from the first row, see `Record.start`. Of histories that
+    were saved by the page or by `impact solve`, which say so in these lines, the first column is the record if no
+    `kind` is given. `kind`: which kind of column to read, where there are several; `gauge`: the how manieth of that
+    kind. Without a row of names, `columns` gives them, or else the first column is time in seconds and the second of
+    `kind` in its SI unit. Strain is positive in tension, stress and force in compression; `sign` -1 turns a record in
+    which it is the other way round.
     Raises SceneError naming row and column.
     """
     if kind is not None:
         validation.choice("kind", kind, KINDS)
     validation.choice("sign", str(sign), ("1", "-1"))
+    if decimal is not None:
+        validation.choice("decimal", decimal, (".", ","))
     text = _text(content)
-    rows, separator = _rows(text)
-    names, rows = _names(rows, separator, columns, kind)
+    rows = read_rows(text, None if columns is None else len(columns))
+    if not rows:
+        raise RecordError("few-rows", 0, rows=0, least=LEAST_ROWS)
+    names, rows = _names(rows, columns, kind)
     saved = SAVED.search(text) is not None
     chosen, found, factors = _choose(names, kind, gauge, saved)
     if len(rows) < LEAST_ROWS:
         raise RecordError("few-rows", len(rows), rows=len(rows), least=LEAST_ROWS)
     if len(rows) > MAX_ROWS:
         raise RecordError("many-rows", len(rows), rows=len(rows), most=MAX_ROWS)
-    table = _table(rows, separator, names, chosen)
-    time, values = table[:, 0] * factors[0], table[:, 1] * factors[1] * sign
+    check_cells(rows, names)
+    start, time, values = _columns(rows, names, chosen, factors, decimal)
+    values = values * sign
     if saved:
         time, values = _even(time, values)
-    _check_time(time, [number for number, _ in rows])
+    _check_time(time, [line for line, _ in rows])
     _check_unit(values, found, names[chosen[1]])
-    return Record(time, values, found, _place(names[chosen[1]]))
+    return Record(time, values, found, _place(names[chosen[1]]), start)
 
 
 def _even(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -108,15 +117,13 @@ def _place(name: str) -> float | None:
     return None if found is None else float(found[1]) * {"mm": 1e-3, "m": 1.0}[found[2]]
 
 
-def _names(
-    rows: list[tuple[int, str]], separator: str, columns: tuple[str, ...] | None, kind: str | None
-) -> tuple[tuple[str, ...], list[tuple[int, str]]]:
+def _names(rows: list[Row], columns: tuple[str, ...] | None, kind: str | None) -> tuple[tuple[str, ...], list[Row]]:
     """Names of the columns, from the first row, from the caller or by default; and the rows below them."""
-    first = [cell.strip().strip('"') for cell in _cells(rows[0][1], separator)]
-    named = _are_names(first, separator)
+    first = rows[0].cells
+    named = _are_names(first)
     if columns is None and not named:
         if kind is None:
-            raise RecordError("no-names", rows[0][1], row=rows[0][1].strip()[:ROW_LETTERS], columns=COLUMNS)
+            raise RecordError("no-names", first, row=", ".join(first)[:ROW_LETTERS], columns=COLUMNS)
         columns = ("time_s", {"stress": "stress_Pa", "force": "force_N"}.get(kind, kind))
     return columns or tuple(first), rows[1:] if named else rows
 
@@ -142,41 +149,10 @@ def _text(content: bytes | str) -> str:
     raise RecordError("no-text", None)
 
 
-def _rows(text: str) -> tuple[list[tuple[int, str]], str]:
-    """Lines with their numbers, from 1, without empty ones and comments; and what separates their cells."""
-    rows = [
-        (number, line)
-        for number, line in enumerate(text.replace("\u03bc", "µ").splitlines(), 1)
-        if line.strip() and not line.lstrip().startswith("#")
-    ]
-    if not rows:
-        raise RecordError("few-rows", 0, rows=0, least=LEAST_ROWS)
-    sample = rows[min(1, len(rows) - 1)][1]
-    return rows, next((separator for separator in ";\t," if separator in sample), " ")
-
-
-def _cells(line: str, separator: str) -> list[str]:
-    return line.split() if separator == " " else line.split(separator)
-
-
-def _number(cell: str, separator: str) -> float | None:
-    """The cell as a finite number, or None."""
-    cell = cell.strip().strip('"')
-    if separator != "," and "." not in cell:
-        cell = cell.replace(",", ".", 1)
-    if "_" in cell or not cell.isascii():  # both are numbers for Python
-        return None
-    try:
-        number = float(cell)
-    except ValueError:
-        return None
-    return number if math.isfinite(number) else None
-
-
-def _are_names(cells: list[str], separator: str) -> bool:
+def _are_names(cells: list[str]) -> bool:
     """Whether the first row names the columns; one in which there is a number, or what fails to be one, does not."""
     odd = [cell.lower().lstrip("+-") in ("nan", "inf", "infinity", "") for cell in cells]
-    return not all(odd) and all(_number(cell, separator) is None for cell in cells)
+    return not all(odd) and all(written(cell) is None for cell in cells)
 
 
 def _choose(
@@ -227,19 +203,21 @@ def _meaning(name: str) -> tuple[str, float] | None:
     return kind, UNITS[kind][unit]
 
 
-def _table(rows: list[tuple[int, str]], separator: str, names: tuple[str, ...], chosen: tuple[int, int]) -> np.ndarray:
-    """(rows, 2) time and value as they stand in the file."""
-    table = np.empty((len(rows), 2))
-    for index, (number, line) in enumerate(rows):
-        cells = _cells(line, separator)
-        for side, column in enumerate(chosen):
-            value = _number(cells[column], separator) if column < len(cells) else None
-            if value is None:
-                got = cells[column].strip()[:NAME_LETTERS] if column < len(cells) else ""
-                where = {"row": number, "column": str(names[column])[:NAME_LETTERS]}
-                raise RecordError("not-finite", got, **where, got=got, missing=not got)
-            table[index, side] = value
-    return table
+def _columns(
+    rows: list[Row],
+    names: tuple[str, ...],
+    chosen: tuple[int, int],
+    factors: tuple[float, float],
+    decimal: str | None,
+) -> tuple[float, np.ndarray, np.ndarray]:
+    """When the record starts on the clock of the file [s], its times after that [s], and its values in SI units."""
+    signs = signs_of(rows, decimal)
+    read = [[digits(row.cells[c], signs, row.line, str(names[c])[:NAME_LETTERS]) for c in chosen] for row in rows]
+    time, values = np.array(read, float).T * np.array(factors)[:, np.newaxis]
+    if abs(time[0]) <= SPANS[1]:
+        return 0.0, time, values
+    first = Decimal(read[0][0])  # times since 1970 have more digits than a float
+    return float(time[0]), np.array([float(Decimal(cell) - first) for cell, _ in read]) * factors[0], values
 
 
 def _check_unit(values: np.ndarray, kind: str, name: str) -> None:
@@ -254,6 +232,9 @@ def _check_time(time: np.ndarray, numbers: list[int]) -> None:
     steps = np.diff(time)
     if not (steps > 0.0).all():
         at = int(np.argmax(steps <= 0.0)) + 1
+        even = np.linspace(time[0], time[-1], time.size)
+        if (steps >= 0.0).all() and np.abs(time - even).max() <= steps.max():
+            raise RecordError("repeated", float(time[at]), row=numbers[at], time=time[at], step=even[1] - even[0])
         raise RecordError("not-later", float(time[at]), row=numbers[at], time=time[at], before=time[at - 1])
     span = float(time[-1] - time[0])
     if not SPANS[0] <= span <= SPANS[1]:

@@ -42,6 +42,7 @@ class Record:
     values: np.ndarray  # (n,) in SI units
     kind: str  # strain | stress | force
     place: float | None = None  # of the gauge [m], where the file says it
+    start: float = 0.0  # what the clock of the file shows at zero of `time` [s]
 
     @property
     def step(self) -> float:

@@ -9,7 +9,7 @@ from typing import Any
 from ..scene import Scene
 from ..text.catalogue import SOURCE, library, spoken
 from ..validation import SceneError, allowed
-from .saved import MARK, head_of
+from .saved import MARK, as_toml, head_of
 
 MAX_FILE_SIZE = 100_000  # bytes; a scene is a page of text
 SCENES = Path(__file__).parent
@@ -90,3 +90,8 @@ def read_toml(path: Path) -> dict[str, Any]:
         raise SceneError("scene", str(path), allowed("toml", why=_named(error))) from None
     except OSError as error:
         raise SceneError("scene", str(path), allowed("readable", why=error.strerror)) from None
+
+
+def to_toml(scene: SceneOrName) -> str:
+    """The scene as the text of a scene file, which `load` reads back into the same one; without its view."""
+    return as_toml(scene_of(scene).table()) + "\n"

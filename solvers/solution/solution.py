@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +13,7 @@ from ..scene import Scene
 from ..text.notes import Note, coded
 from ..validation import SceneError, allowed, plain
 from . import closures
-from .motion import ChangesModes, Joined, Motion, ShowsModes
+from .motion import BoundedMotion, ChangesModes, Joined, Motion, ShowsModes
 from .target_modes import TargetModes
 
 if TYPE_CHECKING:
@@ -251,11 +251,11 @@ class Solution:
         return touch.touch(self, time)
 
     @property
-    def known_motion(self) -> Motion:
+    def known_motion(self) -> BoundedMotion:
         """The motion. Raises SceneError for bodies in space, which have no history."""
         if self.motion is None:
             raise SceneError("solution", self.method["name"], allowed("with-history"))
-        return self.motion
+        return cast(BoundedMotion, self.motion)
 
     def refine(self, name: str, change: Callable[["Solution", Any], Any]) -> None:
         """Have a figure that may come later changed, given the solution and the figure, when it is first read."""

@@ -62,8 +62,8 @@ def joint_scattering(
 ) -> JointScattering:
     """What a joint of two links does to axial and bending waves along the first of them.
 
-    joint: its number; the first between two links unless given. frequencies [rad/s]; usually five at which the links
-    are thin beside a bending wave.
+    joint: its number; unless given the first between two links of which it is known. frequencies [rad/s];
+    usually five at which the links are thin beside a bending wave.
     Assumes: Euler and Bernoulli's beams at rest, a joint without mass at the end of both links.
     Raises SceneError for scenes without such a joint, and for links without section or material.
     Source: thesis 11.3.7; see `numerics.waves.scattering`.
@@ -93,13 +93,28 @@ def joint_scattering(
     )
 
 
+def between_bars(mechanism: Mechanism) -> list[int]:
+    """Numbers of the joints of which it is known what they do to waves: at the ends of two links with section and
+    material."""
+    named, found = {link.name: link for link in mechanism.links}, []
+    for number, pin in enumerate(mechanism.joints):
+        try:
+            for name in () if GROUND in pin.links else pin.links:
+                _bar(mechanism, named[name]), _away(number, named[name], pin)
+        except SceneError:
+            continue
+        if GROUND not in pin.links:
+            found.append(number)
+    return found
+
+
 def _between_links(mechanism: Mechanism, joint: int | None) -> int:
     """The number of a joint that is not to the ground."""
     between = [number for number, pin in enumerate(mechanism.joints) if GROUND not in pin.links]
     if not between:
         raise SceneError("target.joints", None, allowed("joined-links-only"))
     if joint is None:
-        return between[0]
+        return next(iter(between_bars(mechanism)), between[0])
     joint = validation.plain(joint)
     if joint not in between:
         raise SceneError("joint", joint, allowed("choice", options=[str(number) for number in between]))

@@ -49,7 +49,7 @@ def spaced(low: float, high: float, count: int = 21, spacing: str | None = None)
 
 def solve_many(
     scenes: Sequence[SceneOrName] | SceneOrName,
-    columns: Mapping[str, Sequence[float]] | None = None,
+    columns: Mapping[str, Sequence[float] | np.ndarray] | None = None,
     method: str | Method | None = None,
     workers: int | None = None,
     figures: Sequence[str] | None = None,
@@ -73,7 +73,7 @@ def solve_many(
 
 def _varied(
     scene: Scene,
-    columns: Mapping[str, Sequence[float]],
+    columns: Mapping[str, Sequence[float] | np.ndarray],
     method: str | Method | None,
     workers: int | None,
     names: Sequence[str],

@@ -109,6 +109,12 @@ class Windows:
         self.free.setdefault(repr((options, script)), []).append(tab)
 
 
+def in_laboratory(query: str) -> str:
+    """A link as most tests mean it: to all charts and controls, unless it says what else it leads to."""
+    said = any(key in query for key in ("layout=", "lesson=", "class=", "embed", "gallery", "language="))
+    return query if said or "=" not in query else f"{query}&layout=laboratory"
+
+
 class Page:
     """The page in the browser, with what it said and sent; in a window of its own unless there are windows to take."""
 
@@ -121,6 +127,7 @@ class Page:
         drawn: bool = True,
         script: str = "",
         windows: Windows | None = None,
+        plain: bool = False,  # the link as it stands
         **options,
     ):
         self.options = {"reduced_motion": "reduce"} | options  # nothing moves by itself, unless that is what is tested
@@ -139,7 +146,7 @@ class Page:
         }
         for name, listener in self.listeners.items():
             self.tab.on(name, listener)
-        self.tab.goto(f"http://{address}/{query}")
+        self.tab.goto(f"http://{address}/{query if plain else in_laboratory(query)}")
         if drawn:
             self.laid_out()
 

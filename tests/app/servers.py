@@ -30,6 +30,8 @@ def free_port() -> int:
 class Server:
     """A server that can be ended and started again on the same port."""
 
+    MODULE = "app.command"  # that is run
+
     def __init__(self, log: Path, *options: str):
         self.port, self.log, self.options = free_port(), log, options
         self.address = f"127.0.0.1:{self.port}"
@@ -41,7 +43,7 @@ class Server:
         self.log.unlink(missing_ok=True)  # what a killed one has started may still write to that
         with self.log.open("w") as output:
             self.process = subprocess.Popen(
-                [sys.executable, "-m", "app.command", "serve", "--port", str(self.port), *self.options],
+                [sys.executable, "-m", self.MODULE, "serve", "--port", str(self.port), *self.options],
                 stdout=output,
                 stderr=subprocess.STDOUT,
                 cwd=ROOT,

@@ -17,6 +17,8 @@ from app.text.catalogues import page
 from solvers.text.catalogue import SOURCE
 from tests.app.sentences import refusals
 
+from ..patience import SECONDS
+
 
 def run(coroutine: Coroutine, seconds: float = 300.0) -> Any:
     """Run to the end on a thread of its own: Playwright keeps a loop on the main one."""
@@ -38,14 +40,14 @@ class SocketClient:
         self._set: tuple[str, Any] = "", None  # last
 
     async def open(self, query: str = "") -> "SocketClient":
-        page = await AsyncHTTPClient().fetch(f"http://{self.address}/{query}", request_timeout=120)
+        page = await AsyncHTTPClient().fetch(f"http://{self.address}/{query}", request_timeout=SECONDS)
         self.html = page.body.decode()
         return await self.connect(re.search(r'"token":\s*"([^"]+)"', self.html).group(1))
 
     async def connect(self, token: str) -> "SocketClient":
         """Open the socket of the session that a token names."""
         self.token = token
-        request = HTTPRequest(f"ws://{self.address}/ws", request_timeout=120)
+        request = HTTPRequest(f"ws://{self.address}/ws", request_timeout=SECONDS)
         self._socket = await websocket_connect(request, subprotocols=["bokeh", token], max_message_size=2**24)
         self._socket.protocol.set_nodelay(True)
         await self.receive()  # ACK

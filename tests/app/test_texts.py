@@ -16,6 +16,8 @@ from solvers import LAWS, METHODS
 from solvers.text.catalogue import SOURCE, library
 from solvers.text.messages import engineering, terms_in
 
+from ..patience import SECONDS
+
 STATIC = Path(app.__file__).parent / "static"
 SOURCES = "\n".join(path.read_text(encoding="utf-8") for path in sorted(STATIC.rglob("*.js")))
 MODULES = {path: path.read_text(encoding="utf-8") for path in sorted(STATIC.parent.rglob("*.py"))}
@@ -94,7 +96,7 @@ def test_browser_and_python_fill_a_text_alike(tmp_path):
     asked = "".join(f"console.log(text({json.dumps(code)}, {json.dumps(values)}));" for code, values in cases.items())
     (tmp_path / "ask.mjs").write_text(f"import {{ text }} from '{STATIC}/text/catalogue.js';\n{asked}")
     command_line = ["node", f"--import={tmp_path / 'texts.mjs'}", str(tmp_path / "ask.mjs")]
-    said = subprocess.run(command_line, capture_output=True, text=True, check=True, timeout=60).stdout.splitlines()
+    said = subprocess.run(command_line, capture_output=True, text=True, check=True, timeout=SECONDS).stdout.splitlines()
     for (code, values), sentence in zip(cases.items(), said, strict=True):
         plain = (
             page(SOURCE)
@@ -179,6 +181,6 @@ def test_numbers_of_another_language_have_its_decimal_sign(tmp_path):
         """
     )
     call = ["node", f"--import={tmp_path / 'texts.mjs'}", str(tmp_path / "ask.mjs")]
-    said = subprocess.run(call, capture_output=True, text=True, check=True, timeout=60).stdout
+    said = subprocess.run(call, capture_output=True, text=True, check=True, timeout=SECONDS).stdout
     assert f"2,35{UNBROKEN}µs" in said
     assert re.findall(r"'(.*?)'", said) == ["−0,500", "1,25", "0,5", "1,74 %", "0,1", "1,5 mm", "52\u202f000", "7,5"]

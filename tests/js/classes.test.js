@@ -168,3 +168,32 @@ test('a table is quoted, and no name is a formula in it', () => {
     [`"'-1"`, `"'@x"`, '"a ""b"", c"', `"'\t=1"`, '"Ann"'],
   );
 });
+
+test('what is made to look like codes takes no longer than codes do', () => {
+  const letters = (values) => values.map((value) => 'BCDFGHJKLMNPQRSTWXZ'[value]).join('');
+  const [CHECK, SEAL, P] = [[2, 1, 1, 15], [3, 7, 11, 5], 19];
+  const after = (rest, value) =>
+    CHECK.map((each, k) => ((k ? rest[k - 1] : 0) + (P - ((value + rest[3]) % P)) * each) % P);
+  const begun = [...codeOf(RECORD, given, 5).replaceAll('-', '').slice(0, 8)].map((each) =>
+    'BCDFGHJKLMNPQRSTWXZ'.indexOf(each),
+  );
+  let rest = begun.reduce(after, [1, 2, 3, 4]);
+  const pieces = [letters(begun)]; // each of those that follow checks all before it, and is a beginning itself
+  for (let k = 0; k < 12_000; k += 1) {
+    const seal = SEAL.map((each, n) => (P - rest[3 - n] + each) % P);
+    rest = seal.reduce(after, rest);
+    pieces.push(letters(seal));
+  }
+  for (const text of [
+    pieces.join(' '),
+    'C '.repeat(50_000),
+    'C'.repeat(100_000),
+    `${'CCCC'.repeat(40)} `.repeat(600),
+  ]) {
+    const before = process.cpuUsage();
+    const { rows } = readLines(RECORD, text);
+    const { user } = process.cpuUsage(before); // µs
+    assert.ok(rows.length <= 1); // one of them may happen to be one
+    assert.ok(user < 2e6, `${user} µs for ${text.slice(0, 20)}`);
+  }
+});

@@ -37,6 +37,7 @@ const rod = (changed = {}, peakForce = 1e4) => {
     speed: 1,
     trip: 1e-4,
     chosen,
+    own: chosen,
     acting,
     exact: told,
     other: told,

@@ -74,16 +74,24 @@ test('a text or a value that is not there is an error', () => {
 
 test('a scene that sets keys without a control says which', () => {
   /** @type {any} */
-  const plain = { kind: 'axial', acting: [], chosen: { bodies: '' }, own: { bodies: '' }, parts: [], unshown: [] };
-  assert.match(
-    noteOf({ ...plain, note: '', unshown: ['method.status'] }),
-    /method\.status.*impact solve --set KEY=VALUE/,
-  );
-  assert.equal(noteOf({ ...plain, note: 'of a rod' }), 'of a rod');
+  const plain = {
+    kind: 'axial',
+    title: 'Rod: two contacts',
+    acting: [],
+    chosen: { bodies: '' },
+    own: { bodies: '' },
+    parts: [],
+    unshown: [],
+  };
+  const keys = noteOf({ ...plain, note: '', unshown: ['method.status'] }, '');
+  assert.match(keys, /method\.status.*impact solve --set KEY=VALUE/);
+  assert.equal(noteOf({ ...plain, note: 'of a rod' }, 'Thesis.'), 'Thesis. of a rod');
   const changed = { ...plain, note: 'of a rod', chosen: { bodies: 'target.length=0.5 impactor.material=bronze' } };
-  assert.match(noteOf(changed), /Length 500\u00a0mm \(body 2\), Material Bronze \(body 1\).* of a rod$/);
+  const what = 'Length 500\u00a0mm (body 2), Material Bronze (body 1)';
+  assert.equal(noteOf(changed, 'Thesis.'), `Changed from the scene “Rod”: ${what}.`); // nothing that held for that
   const faster = { ...plain, note: 'of a rod', acting: ['speed', 'modes'], chosen: { bodies: '', speed: 2, modes: 5 } };
-  assert.match(noteOf({ ...faster, own: { bodies: '', speed: 1, modes: 50 } }), /^Here with 2\u00a0m\/s, not as/);
+  const found = noteOf({ ...faster, own: { bodies: '', speed: 1, modes: 50 } }, 'Thesis.');
+  assert.equal(found, 'Changed from the scene “Rod”: 2\u00a0m/s.');
 });
 
 test('a unit stays with its number', () => {

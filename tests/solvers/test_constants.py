@@ -10,6 +10,8 @@ import pytest
 
 from tests.machines import dispatched
 
+from ..patience import SECONDS
+
 ROOT = Path(__file__).parents[2]
 CODE = """
 import importlib, json, pkgutil
@@ -47,7 +49,7 @@ MACHINES = (
 def constants(more: dict[str, str]) -> dict[str, str]:
     done = subprocess.run(
         [sys.executable, "-W", "ignore", "-c", CODE], cwd=ROOT, env=os.environ | more, capture_output=True, text=True,
-        timeout=300,
+        timeout=SECONDS,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)

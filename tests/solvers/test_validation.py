@@ -3,10 +3,13 @@
 import copy
 import math
 import pickle
+import re
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from solvers import Scene, SceneError
+from solvers import Scene, SceneError, validation
 from solvers.validation import shown
 from tests.catalog import SCENES, WITH_INDENTATION, contact_table
 from tests.solvers.plain_scene import PLAIN, with_value
@@ -195,3 +198,33 @@ def test_a_refusal_passes_from_process_to_process_and_shows_itself():
 def test_what_is_too_long_to_write_is_shown_without_a_word_of_any_language():
     huge = 10**5000
     assert [shown(value) for value in (huge, [huge], {"a": huge})] == ["...", "[...]", "{...}"]
+
+
+@pytest.mark.parametrize("kind", ["mass", "sphere", "rod", "beam"])
+def test_the_keys_of_a_fall_are_among_those_that_are_listed(kind):
+    assert "velocity" in refusal(PLAIN | {"impactor": {"kind": kind, "hight": 1.0}}).allowed
+    for key in ("height", "gravity"):
+        assert key in refusal(PLAIN | {"impactor": {"kind": kind, "hight": 1.0}}).allowed
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.floats(1e-12, 1e12), st.floats(-15.0, 1.0), st.booleans())
+def test_a_refused_number_is_not_among_those_that_are_said_to_be_allowed(bound, by, low):
+    """However near the bound it is."""
+    value = bound * (1.0 - 10.0**by) if low else bound * (1.0 + 10.0**by)
+    ends = (bound, 2.0 * bound) if low else (-1.0, bound)
+    if ends[0] <= value <= ends[1]:
+        return
+    with pytest.raises(SceneError) as refused:
+        validation.number("mass", value, *ends, "kg")
+    first, last = re.search(r"a number from (\S+) to (\S+) kg", str(refused.value)).groups()
+    assert not float(first) <= value <= float(last), str(refused.value)
+
+
+@pytest.mark.parametrize("mass", [1.0 / 3.0, 1.0, 123.456789, 7.7e-2])
+@pytest.mark.parametrize("by", [1.0 + 1e-3, 1.0 + 1e-6, 1.0 + 1e-12])
+def test_nor_is_a_mass_that_the_other_body_does_not_feel(mass, by):
+    for other in (mass * 1e9 * by, mass / 1e9 / by):
+        tables = with_value("impactor.mass", mass) | {"target": {"kind": "mass", "mass": other}}
+        value, low, high = re.search(r"got (\S+); allowed: (\S+) to (\S+) kg", str(refusal(tables))).groups()
+        assert not float(low) <= float(value) <= float(high)

@@ -8,7 +8,7 @@ from solvers.text.notes import Note
 
 from ...choices.request import Request
 from ..histories import force_arrays
-from ..transverse import Answer, chosen_method, comparison_arrays, field_arrays, impact_frame, main_solution
+from ..transverse import Answer, chosen_method, comparisons, field_arrays, impact_frame, main_solution
 from .moving import follow, moving_fields
 from .resting import LINK_PLACES, RIGID_LINKS, mechanism_fields, rigid_answer, struck_link
 
@@ -31,6 +31,7 @@ def mechanism_frame(request: Request) -> bytes:
     else:
         header, arrays = field_arrays(main, request.stretch, LINK_PLACES)
         linkage, moved = mechanism_fields(main, beside, request.stretch)
-        header, arrays = header | linkage, arrays | moved | comparison_arrays(main, header["places"])
+        estimate, compared = comparisons(main, header["places"])
+        header, arrays = header | linkage | estimate, arrays | moved | compared
     header |= {"kind": "mechanism", "beam": struck_link(main.scene.target.known_as(Mechanism))}
     return impact_frame(request, Answer(main, reason, beside, RIGID_LINKS), header, arrays)

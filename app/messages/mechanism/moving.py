@@ -17,7 +17,7 @@ from ..encoding import Stretch, over, whole_numbers
 from .links import PLACES, across, instants_for, link_arrays
 from .resting import described, with_rigid_links
 
-INSTANTS, HISTORY = 601, 301  # of the picture, besides impacts; of reactions and energies
+INSTANTS, HISTORY = 501, 301  # of the picture, besides impacts; of reactions and energies
 TURN_INSTANTS = 24  # in a turn of the fastest link, if that is more
 MOST_INSTANTS = 1_500
 MOST_AVERAGED = 8  # steps, of the reactions of one instant: in vibrations each differs from the next

@@ -15,6 +15,7 @@ from solvers.bodies.linkage.joints import Joint
 from solvers.methods.mechanisms import MechanismMotion
 from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
+from solvers.studies.scattering import between_bars
 
 from ..encoding import Stretch, instants, whole_numbers
 from .links import along_normal, instants_for, link_arrays
@@ -24,8 +25,8 @@ LINK_PLACES = 31  # of the struck link, beside which there are others
 PARTS = 10  # straight pieces of a link that bends
 INSTANTS = 75
 REACTIONS = 200  # instants
-REACTIONS_OF_ONE = 800  # where there is one joint alone, and balances shake all modes
-AMOUNTS_BESIDE = 4_000  # numbers that tell of links beside the struck one
+REACTIONS_OF_ONE = 600  # where there is one joint alone, and balances shake all modes
+AMOUNTS_BESIDE = 3_000  # numbers that tell of links beside the struck one
 
 
 def mechanism_fields(
@@ -76,7 +77,7 @@ def _others(motion: MechanismMotion, duration: float, stretch: Stretch) -> dict[
 
 def described(mechanism: Mechanism) -> dict[str, Any]:
     """Links, joints and where it is struck, as the browser draws them."""
-    driven = {drive.joint for drive in mechanism.drives}
+    driven, bars = {drive.joint for drive in mechanism.drives}, between_bars(mechanism)
     names = [link.name for link in mechanism.links]
     return {
         "links": [
@@ -88,7 +89,10 @@ def described(mechanism: Mechanism) -> dict[str, Any]:
             }
             for link in mechanism.links
         ],
-        "joints": [_joint(mechanism, joint, number in driven) for number, joint in enumerate(mechanism.joints)],
+        "joints": [
+            _joint(mechanism, joint) | {"driven": number in driven, "scatters": number in bars}
+            for number, joint in enumerate(mechanism.joints)
+        ],
         "struck": names.index(mechanism.struck.link),
         "at": mechanism.struck.at,
         "contact": mechanism.contact_point.tolist(),
@@ -97,7 +101,7 @@ def described(mechanism: Mechanism) -> dict[str, Any]:
     }
 
 
-def _joint(mechanism: Mechanism, joint: Joint, driven: bool) -> dict[str, Any]:
+def _joint(mechanism: Mechanism, joint: Joint) -> dict[str, Any]:
     """A joint is drawn on the first of its links that is no ground."""
     names = [link.name for link in mechanism.links]
     number = next(names.index(name) for name in joint.links if name in names)
@@ -109,7 +113,6 @@ def _joint(mechanism: Mechanism, joint: Joint, driven: bool) -> dict[str, Any]:
         "link": number,
         "share": float(arm @ link.along) / link.length if link.length else 0.0,
         "axis": list(joint.axis) if joint.axis is not None else None,
-        "driven": driven,
     }
 
 

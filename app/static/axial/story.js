@@ -199,7 +199,7 @@ export class Story {
     const words = [text('axial.trust', { parts: parts.join(', ') })];
     const { resolved_time: time, raw_contacts: touches = 0 } = other?.diagnostics ?? {};
     if (time) words.push(text('axial.resolution', { time, touches }));
-    this.trust.textContent = [...words, text('story.source', frame), noteOf(frame)].filter(Boolean).join(' ');
+    this.trust.textContent = [...words, noteOf(frame, text('story.source', frame))].join(' ');
   }
   /** @param {number} t */
   at(t) {

@@ -5,6 +5,7 @@ import { between } from '../charts/scale.js';
 import { Supports } from '../charts/supports.js';
 import { instantIn } from '../compare/beside.js';
 import { make, segments } from '../browser/dom.js';
+import { timesOf } from '../form/settings.js';
 import { Stack } from '../frame/stack.js';
 import { TRIPS, times } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
@@ -115,8 +116,8 @@ export class AxialView {
     times.load(frame);
     this.exactField = exactFieldOf(frame);
     this.#otherField = null;
-    const { chosen, opens } = frame;
-    this.axis.open(chosen.scene, this.page.compare.span(frame), opens.until && opens.until / frame.trip);
+    const { until } = timesOf(frame);
+    this.axis.open(frame.chosen.scene, this.page.compare.span(frame), until && until / frame.trip);
     this.whole.hidden = !this.axis.zoomed;
     this.spaceTime.chart.root.hidden = !frame.rods.length;
     this.force.chart.root.hidden = frame.exact.sudden && (frame.other?.sudden ?? true); // impulses without duration
@@ -129,9 +130,11 @@ export class AxialView {
     this.dress();
   }
   /** @param {AxialFrame} frame */
-  clock({ chosen, duration, opens, trip }) {
+  clock(frame) {
+    const { chosen, duration, trip } = frame;
+    const { time } = timesOf(frame);
     const first = Math.min(FIRST[0], FIRST[1] * duration);
-    return { kind: 'axial', scene: chosen.scene, length: duration, unit: trip, trips: true, first, time: opens.time };
+    return { kind: 'axial', scene: chosen.scene, length: duration, unit: trip, trips: true, first, time };
   }
   /** Its histories have become finer. */
   refine() {

@@ -282,7 +282,7 @@ export class BeamMotion {
    * @param {(t: number) => void} go
    */
   constructor(axis, go) {
-    const [title, about] = [text('beam.chart.motion'), text('beam.chart.motion-about')];
+    const [title, about] = ['motion', 'motion-about'].map((each) => text(`beam.chart.${each}`));
     const caption = (/** @type {string} */ unit) => text('beam.chart.motion-axes', { unit });
     this.chart = new Chart({ title, about, axis, xUnit: SECONDS, unit: 'm', caption, go });
     const press = (/** @type {string} */ kind) => {
@@ -312,13 +312,13 @@ export class BeamMotion {
       { x, y: struck, name: text('beam.chart.struck-place'), cursor: text('beam.chart.struck'), style: 'struck' },
     ];
     if (places && reference) {
-      const name = toCompare(reference);
-      const [mass, place] = [frame.referenceImpactorPath, frame.referenceStruckPath];
-      series.push({ x, y: given(mass, 'referenceImpactorPath'), reach: 0, name, style: 'thinOther' });
-      series.push({ x, y: given(place, 'referenceStruckPath'), reach: 0, name, style: 'dashedOther' });
+      const beside = { x, reach: 0, name: toCompare(reference) };
+      series.push({ ...beside, y: given(frame.referenceImpactorPath, 'referenceImpactorPath'), style: 'thinOther' });
+      series.push({ ...beside, y: given(frame.referenceStruckPath, 'referenceStruckPath'), style: 'dashedOther' });
     }
     const still = places && pair(frame.staticTime, frame.staticPath);
-    if (still) series.push({ ...still, reach: 0, name: text('beam.chart.quasi-static'), style: 'prediction' });
+    const name = called({ name: 'quasi-static', model: frame.staticModel });
+    if (still) series.push({ ...still, reach: 0, name, style: 'prediction' });
     const spread = places && band ? bandOf(band.time, band.displacement) : null;
     this.chart.show({ series, unit: places ? 'm' : 'm/s', shades: frame.contacts, band: spread });
   }

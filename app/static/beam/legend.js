@@ -29,7 +29,8 @@ export function legend(c, stage, end) {
   const unit = what === 'moment' ? stressUnit : what === 'deflection' ? 1e3 : 1;
   const largest = stage.usual[what] * unit;
   const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];
-  const most = `± ${figures(largest * factor)} ${prefix}${UNITS[what]}`;
+  const last = `± ${figures(largest * factor)} ${prefix}${UNITS[what]}`;
+  const most = text('beam.stage.colours-end', { end: last, beyond: stage.beyond });
   c.font = letters(13);
   const said = narrow ? c.measureText(most).width : 0; // above the colours, up to their end
   const x = right ? beside + Math.max(said - bar, 0) : width - bar - 14;

@@ -5,6 +5,7 @@ import { COLORS, css } from '../charts/styles.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
+import { called } from '../text/words.js';
 import { diagrams } from './diagram.js';
 import { FIELDS } from './field.js';
 import { hasForce } from './rows.js';
@@ -17,6 +18,8 @@ import { drawSupports } from './supports.js';
 /** @import { BeamField, Out, What } from './field.js' */
 
 const SMALL = letters(13);
+const SAME = 1.001;
+const LINE = 18; // pixels, from one line of words to the next
 const LEAST_FOR_DIAGRAMS = [180, 140]; // pixels of height, below which their words would lie on each other; if narrow
 const LEADS = { left: 0.3, edge: [48, 30], thick: [0.09, 0.16], striker: [0.24, 84] }; // shares, pixels: if it leads
 
@@ -130,7 +133,7 @@ export class BeamStage {
     this.values = this.field.profile(t, this.what);
     this.moved = this.field.profile(t, 'deflection');
     this.picture(c, t, room, top, height);
-    this.words(c, top);
+    this.words(c);
     if (within) diagrams(c, this, t, beside ? 48 : top, beside ? down - 52 : height - top);
   }
   /**
@@ -271,7 +274,7 @@ export class BeamStage {
   prediction(c, t) {
     const { frame } = this;
     const { staticPath, staticShape, staticTime } = frame;
-    if (this.taught || !staticShape || !staticPath || !staticTime) return;
+    if (!this.predicts || !staticShape || !staticPath || !staticTime) return;
     const size = between(staticTime, staticPath, t) * this.scale;
     c.strokeStyle = COLORS.prediction;
     c.lineWidth = 1.4;
@@ -280,6 +283,11 @@ export class BeamStage {
     for (let j = 0; j < this.field.places; j++) c.lineTo(this.px(j), this.middle + staticShape[j] * size);
     c.stroke();
     c.setLineDash([]);
+  }
+  /** Whether the quasi-static estimate is drawn. */
+  get predicts() {
+    const { staticPath, staticShape } = this.frame;
+    return !this.taught && Boolean(staticShape && staticPath);
   }
   get face() {
     return this.middle - this.thick / 2;
@@ -342,9 +350,8 @@ export class BeamStage {
   }
   /**
    * @param {CanvasRenderingContext2D} c
-   * @param {number} top
    */
-  words(c, top) {
+  words(c) {
     const { frame, narrow } = this;
     c.fillStyle = COLORS.faint;
     c.font = letters(13);
@@ -353,13 +360,17 @@ export class BeamStage {
     const words = this.scaleWords;
     c.fillText(words, 12, 18);
     const end = 12 + c.measureText(words).width;
-    if (!this.taught && frame.staticShape && frame.staticPath && !narrow)
-      c.fillText(text('beam.stage.dashed'), 12, top - 8);
+    const model = called({ name: 'quasi-static', model: frame.staticModel });
+    if (this.predicts && !narrow) c.fillText(text('beam.stage.dashed', { model }), 12, 18 + LINE * larger);
     if (this.coloured) legend(c, this, end);
   }
   /** Whether anything has the colours of a field. */
   get coloured() {
     return true;
+  }
+  /** Whether some of it is larger than where the colours end. */
+  get beyond() {
+    return this.field.largest[this.what] > SAME * this.usual[this.what];
   }
   /** By how much movement is drawn larger. */
   get scaleWords() {

@@ -59,7 +59,7 @@ export class BeamStory {
     this.figures();
     this.shares();
     const { keptModes = 0, drawnModes = 0, source, title } = frame;
-    const words = [text('beam.note.source', { title, source: source || 'none' }), noteOf(frame)];
+    const words = [noteOf(frame, text('beam.note.source', { title, source: source || 'none' }))];
     if (keptModes > drawnModes) words.push(text('beam.note.drawn', { drawn: drawnModes, kept: keptModes }));
     this.source.textContent = words.filter(Boolean).join(' ');
   }

@@ -6,6 +6,7 @@ import { between } from '../charts/scale.js';
 import { Supports } from '../charts/supports.js';
 import { instantIn } from '../compare/beside.js';
 import { make, segments } from '../browser/dom.js';
+import { timesOf } from '../form/settings.js';
 import { InView } from '../frame/in_view.js';
 import { Stack } from '../frame/stack.js';
 import { SECONDS } from '../clock/times.js';
@@ -136,8 +137,8 @@ export class BeamView {
   /** @param {Shown} frame */
   load(frame) {
     this.frame = frame;
-    const { chosen, opens } = frame;
-    const until = opens.until ?? this.busy;
+    const { chosen } = frame;
+    const until = timesOf(frame).until ?? this.busy;
     this.axis.open(chosen.scene, this.page.compare.span(frame), until && until / frame.trip);
     this.#offer();
     this.take();
@@ -220,11 +221,12 @@ export class BeamView {
    * @param {Shown} frame
    * @returns {Run}
    */
-  clock({ chosen, contacts, duration, kind, opens, trip }) {
+  clock(frame) {
+    const { chosen, contacts, duration, kind, trip } = frame;
     const [start, end] = contacts[0] ?? [0, duration];
     const first = start + FIRST * (end - start);
     const perSecond = duration / SECONDS_PLAYED;
-    return { kind, scene: chosen.scene, length: duration, unit: trip, perSecond, first, time: opens.time };
+    return { kind, scene: chosen.scene, length: duration, unit: trip, perSecond, first, time: timesOf(frame).time };
   }
   /** @param {Shown} frame */
   restitution({ law }) {

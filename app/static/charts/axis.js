@@ -26,15 +26,19 @@ export class Axis {
   }
 
   /**
-   * Another answer, from 0 on; its first part in view if the scene is opened with that, until a hand moves it.
+   * Another answer, from 0 on; its first part in view if the scene is opened with that, until a hand moves it. A
+   * stretch that a hand has chosen stays in view as long as the scene does.
    * @param {unknown} scene
    * @param {number} high
    * @param {number | null} until
    */
   open(scene, high, until) {
-    this.untouched = scene !== this.scene || (this.untouched && !this.moved);
+    const same = scene === this.scene;
+    const chosen = same && this.moved && this.zoomed ? this.view : null;
+    this.untouched = !same || (this.untouched && !this.moved);
     this.scene = scene;
     this.load(0, high, (this.untouched && until) || high);
+    if (chosen && chosen[0] < high) this.view = [chosen[0], Math.min(chosen[1], high)];
   }
 
   /**

@@ -6,6 +6,7 @@ import { questionsOf } from '../lesson/code.js';
 import { onlyHere } from '../frame/share.js';
 import { curveOf, eventsOf, timeOf } from '../lesson/events.js';
 import { copyButton } from '../lesson/handed.js';
+import { keyOf } from '../lesson/print.js';
 import { FACTORS } from '../lesson/sketch.js';
 import { csvOf } from './csv.js';
 import { frameOf } from './frame.js';
@@ -30,17 +31,18 @@ export class Reading {
   constructor(page, record) {
     this.page = page;
     this.record = record;
-    this.key = `class.${record.lesson}`;
+    this.name = `class.${record.lesson}`;
     const sketches = questionsOf(record).filter(({ kind }) => kind === 'sketch');
     this.laid = new Map(sketches.map((part) => [part, new Laid(part.axis)]));
     this.area = make('textarea', { rows: 8, spellcheck: false, autocomplete: 'off' });
-    this.area.value = kept(this.key, '', true);
+    this.area.value = kept(this.name, '', true);
     this.area.oninput = () => this.#read();
     this.count = make('p', { className: 'class-count', role: 'status' });
     this.unread = make('ul', { className: 'class-unread' });
     this.save = make('button', { type: 'button', className: 'whole', textContent: text('class.save') });
     this.save.onclick = () =>
-      download(new Blob([csvOf(record, this.rows)], { type: 'text/csv;charset=utf-8' }), `${this.key}.csv`);
+      download(new Blob([csvOf(record, this.rows)], { type: 'text/csv;charset=utf-8' }), `${this.name}.csv`);
+    this.key = make('div', { className: 'lesson-print', lang: record.language });
     this.sums = make('div', { className: 'class-sums', lang: record.language });
     this.root = make('section', { className: 'classes', ariaLabel: text('class.page') }, ...this.#parts());
   }
@@ -58,7 +60,9 @@ export class Reading {
     const links = own ? [] : [' ', copy, ' ', frame];
     const only = own ? '' : onlyHere();
     const note = make('p', { textContent: only, hidden: !only });
-    const head = make('header', {}, heading, make('p', {}, lesson, ...links), note, about);
+    const key = make('button', { type: 'button', className: 'whole', textContent: text('class.key') });
+    key.onclick = () => this.#print();
+    const head = make('header', {}, heading, make('p', {}, lesson, ...links, ' ', key), note, about);
     return [head, make('div', { className: 'class-put' }, label, count, unread, save), sums];
   }
   /** Take the place of all else. */
@@ -69,6 +73,20 @@ export class Reading {
     this.#read();
     const steps = this.record.steps.filter(({ parts }) => parts.some((part) => this.laid.has(part)));
     this.#solve(steps);
+  }
+  /** The key alone: what is right, and what is said of it. */
+  #print() {
+    const { key, laid, page, record } = this;
+    const none = { events: {}, curve: null };
+    key.replaceChildren(
+      ...keyOf(record, (part) => {
+        const found = laid.get(part);
+        return found?.curve.x.length ? found : none;
+      }),
+    );
+    page.root.append(key);
+    window.addEventListener('afterprint', () => key.remove(), { once: true });
+    window.print();
   }
   /**
    * What happens, step by step, which lies over the lines then.
@@ -95,7 +113,7 @@ export class Reading {
   }
   #read() {
     const { area, record, sums } = this;
-    keep(this.key, area.value || undefined, true);
+    keep(this.name, area.value || undefined, true);
     const { beyond, rows, unread } = readLines(record, area.value);
     this.rows = rows;
     this.count.textContent =

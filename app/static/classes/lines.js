@@ -1,6 +1,6 @@
 // Codes of a class as they were put in, one a line or several, each behind a name or not, or broken over lines: which
 // are read, and why others are not.
-import { CodeError, FORM, GROUP, grouped, LETTERS, plain, readCode } from '../lesson/code.js';
+import { Checked, CodeError, FORM, GROUP, grouped, LETTERS, MOST_LETTERS, plain, readCode } from '../lesson/code.js';
 
 /** @import { Answers, Asks } from '../lesson/code.js' */
 
@@ -20,6 +20,7 @@ const SIGNS = 100_000; // of all lines: those after them are too many
 const NAME = 80; // signs of a name
 const SHOWN = 40; // signs that are said of what cannot be read
 const PIECES = 24; // that a code may be broken into
+const TRIES = 3; // to read one from where it begins: only by chance, of 130 000, is a part of one checked by its end
 const LEAST = 12; // letters of a code
 const RARE = 8; // letters of a code for each wrong sign, else it is words
 
@@ -75,11 +76,15 @@ function tried(record, letters) {
  */
 function codeAt(record, pieces, from) {
   if (!pieces[from].letters.startsWith(LETTERS[FORM])) return null;
-  let letters = '';
-  for (let to = from; to < Math.min(from + PIECES, pieces.length) && !pieces[to].wrong; to++) {
-    letters += pieces[to].letters;
-    const given = letters.length % GROUP ? null : tried(record, letters);
-    if (given && !(given instanceof CodeError)) return { code: grouped(letters), given, to: to + 1 };
+  const read = new Checked();
+  let tries = 0;
+  for (let to = from; to < Math.min(from + PIECES, pieces.length) && !pieces[to].wrong && tries < TRIES; to++) {
+    if (read.letters.length + pieces[to].letters.length > MOST_LETTERS) return null;
+    read.add(pieces[to].letters);
+    if (read.letters.length % GROUP || !read.right) continue;
+    tries += 1;
+    const given = tried(record, read.letters);
+    if (!(given instanceof CodeError)) return { code: grouped(read.letters), given, to: to + 1 };
   }
   return null;
 }

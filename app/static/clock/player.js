@@ -22,6 +22,14 @@ const EARLY = 0.01; // of the whole
 const LEAST = 1e-9; // of the whole, that is more than rounding
 const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means the event before the last
 
+/** @type {[name: string, sign: string, key: string, way: number][]} */
+const MOVES = [
+  ['previous', '|◀', '[', -1],
+  ['back', '◂', ',', -1],
+  ['forward', '▸', '.', 1],
+  ['next', '▶|', ']', 1],
+];
+
 /** @typedef {(t: number) => string} Said  what the clock says, if not the time */
 /**
  * What it runs through.
@@ -66,6 +74,8 @@ export class Player {
   waits = 0; // until when the clock stands
   scene = '';
   stands = false; // the scene is to be seen at an instant of its own
+  beyond = false; // the clock is out of what charts show, and its bar spans all there is
+  held = false; // a hand drags along the bar, which stays as it is meanwhile
   /** @type {Said | null} */ said = null;
   was = ''; // the kind that was shown
 
@@ -80,28 +90,10 @@ export class Player {
     const button = (/** @type {string} */ name, /** @type {string} */ sign, /** @type {() => void} */ onclick) =>
       make('button', { type: 'button', className: `move ${name}`, textContent: sign, onclick });
     this.button = make('button', { type: 'button', className: 'play', onclick: () => this.toggle() });
-    this.moves = [
-      this.#named(
-        button('previous', '|◀', () => this.jump(-1)),
-        text('player.previous'),
-        '[',
-      ),
-      this.#named(
-        button('back', '◂', () => this.step(-1)),
-        text('player.back'),
-        ',',
-      ),
-      this.#named(
-        button('forward', '▸', () => this.step(1)),
-        text('player.forward'),
-        '.',
-      ),
-      this.#named(
-        button('next', '▶|', () => this.jump(1)),
-        text('player.next'),
-        ']',
-      ),
-    ];
+    this.moves = MOVES.map(([name, sign, key, way]) => {
+      const act = name === 'previous' || name === 'next' ? () => this.jump(way) : () => this.step(way);
+      return this.#named(button(name, sign, act), text(`player.${name}`), key);
+    });
     this.scrub = make('input', { type: 'range', min: 0, max: FULL, step: 1, className: 'scrub' });
     this.ticks = make('div', { className: 'ticks', ariaHidden: 'true' });
     this.pace = new PaceMenu(() => this.label());
@@ -117,7 +109,9 @@ export class Player {
     this.root.append(this.pace.root, this.loops);
     this.scrub.oninput = () => {
       const [low, high] = this.bar;
+      this.held = true;
       this.seek(low + (Number(this.scrub.value) / FULL) * (high - low));
+      this.held = false;
     };
     this.run = this.run.bind(this);
     this.label();
@@ -165,11 +159,37 @@ export class Player {
     this.loops.ariaPressed = String(this.looping);
     if (this.trip) this.pace.load(this.usual * this.trip);
   }
-  /** @returns {[low: number, high: number]} the stretch of time that the time bar spans: that which charts show */
-  get bar() {
+  /** @returns {[low: number, high: number]} the stretch of time that charts show, as far as there is any */
+  get #shown() {
     const [low, high] = this.score.range().map((t) => Math.min(Math.max(t - this.start, 0), this.duration));
     const end = Math.min(high, this.limit || high);
     return end > low ? [low, end] : [0, this.duration];
+  }
+  /** @returns {[low: number, high: number]} the stretch that the time bar spans and that is played */
+  get bar() {
+    return this.beyond ? [0, Math.min(this.duration, this.limit || this.duration)] : this.#shown;
+  }
+  /** Whether the clock is out of what charts show. */
+  get #out() {
+    const [low, high] = this.#shown;
+    const least = LEAST * this.duration;
+    return this.t < low - least || this.t > high + least;
+  }
+  /**
+   * The bar spans all where the clock has gone out of what charts show.
+   * @param {boolean} moved  the clock, else what is shown
+   */
+  #follow(moved) {
+    const beyond = this.#out && (moved || this.beyond);
+    if (this.held || beyond === this.beyond) return;
+    this.beyond = beyond;
+    this.#divide();
+  }
+  /** Charts show another stretch: that is what plays. */
+  look() {
+    this.beyond = false;
+    if (this.playing && this.#out) this.go(this.#shown[0]);
+    this.mark();
   }
   /** @param {number} limit */
   bound(limit) {
@@ -179,6 +199,12 @@ export class Player {
   }
   /** Where the clock and the events are, on the time bar. */
   mark() {
+    this.#follow(false);
+    this.#divide();
+    this.#place();
+  }
+  /** Events, on the time bar. */
+  #divide() {
     const [low, high] = this.bar;
     const signs = this.score.events().flatMap(([t, sentence]) => {
       const share = (t - this.start - low) / (high - low);
@@ -191,7 +217,6 @@ export class Player {
     const part = high - low < this.duration * (1 - LEAST);
     this.track.classList.toggle('part', part);
     this.scrub.ariaLabel = text('player.time', { part });
-    this.#place();
   }
   #place() {
     const [low, high] = this.bar;
@@ -255,7 +280,8 @@ export class Player {
       this.label();
       return;
     }
-    if (this.t >= Math.min(this.duration, this.limit) * (1 - LEAST)) this.go(0);
+    const [low, high] = this.bar;
+    if (this.t < low || this.t >= Math.min(high, this.limit) - LEAST * this.duration) this.go(this.#shown[0]);
     this.#play();
   }
   loop() {
@@ -298,9 +324,9 @@ export class Player {
     if (now < this.waits) return;
     if (this.waits) this.#hold(false);
     this.waits = 0;
-    const [low, high] = this.score.range().map((t) => t - this.start);
-    const end = Math.min(this.duration, this.until, this.limit, this.looping && high > this.t ? high : Infinity);
-    if (this.t >= end) this.#ended(this.until < Infinity ? 0 : low);
+    const [, high] = this.bar;
+    const end = Math.min(this.until < Infinity ? Math.min(this.until, this.duration) : high, this.limit);
+    if (this.t >= end) this.#ended(this.until < Infinity ? 0 : this.#shown[0]);
     else this.#onwards(Math.min(this.t + elapsed * this.perSecond * this.pace.speed, end), end);
   }
   /**
@@ -329,7 +355,9 @@ export class Player {
   }
   /** @param {number} t */
   go(t) {
+    const before = this.t;
     this.t = Math.min(Math.max(t, 0), this.duration, this.limit);
+    this.#follow(this.t !== before);
     this.#place();
     const now = this.t + this.start;
     const real = now * this.trip;

@@ -5,7 +5,7 @@ import { text } from '../text/catalogue.js';
 import { questionsOf } from './questions.js';
 import { LETTERS } from '../frame/kept.js';
 import { MOST } from './run.js';
-import { differing, lineOf, shortOf } from '../form/settings.js';
+import { differing, lineOf, shortOf, titleOf } from '../form/settings.js';
 import { comparable } from './kinds.js';
 import { signOf } from './summary.js';
 
@@ -106,7 +106,7 @@ export class Bar {
       const { frame } = run;
       return this.#chip(
         run,
-        beside.includes(frame) ? shortOf(names, frame) || (coming ? '' : text('compare.same')) : frame.title,
+        beside.includes(frame) ? shortOf(names, frame) || (coming ? '' : text('compare.same')) : titleOf(frame),
       );
     });
     const own = make('span', { className: 'chip-run now' }, make('b', { textContent: text('compare.now') }));

@@ -4,7 +4,7 @@ import { headOf, make, rowOf } from '../browser/dom.js';
 import { headed, heading } from '../frame/story.js';
 import { text } from '../text/catalogue.js';
 import { bound, comparedOf, difference, leastSaid, sentences, sideBySide, written } from './figures.js';
-import { differing, lineOf } from '../form/settings.js';
+import { differing, lineOf, titleOf } from '../form/settings.js';
 import { comparable } from './kinds.js';
 import { verdictOf } from './verdict.js';
 
@@ -46,7 +46,7 @@ const SENTENCES = /(?<=[.!?]) +(?=\p{Lu})/u; // between them
  */
 export function paragraphsOf(now, runs, coming) {
   const others = runs.filter(({ frame }) => !comparable(now, frame));
-  const names = others.map(({ frame, letter }) => text('compare.other-name', { name: letter, title: frame.title }));
+  const names = others.map(({ frame, letter }) => text('compare.other-name', { name: letter, title: titleOf(frame) }));
   const head = text('compare.other-kind', { names, count: names.length });
   const apart = others.length ? [{ letters: others.map(({ letter }) => letter), head }] : [];
   const met = new Set();

@@ -33,7 +33,9 @@ export function reached(progress, steps) {
     if (!progress) return { answered: false, far: -1, done: false };
     /** @type {string[]} */
     const names = JSON.parse(progress.of).map((/** @type {string[]} */ [, name]) => name);
-    const answered = names.map((name) => Boolean(progress.answers[name]?.done));
+    const answered = names.map(
+      (name) => Object.hasOwn(progress.answers, name) && Boolean(progress.answers[name]?.done),
+    );
     const far = Math.min(progress.far, steps - 1);
     return { answered: answered[0] ?? true, far, done: far === steps - 1 && answered.every(Boolean) };
   } catch {

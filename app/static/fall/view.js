@@ -1,5 +1,6 @@
 // A body that is dropped and bounces, as the opening shows it: its height over time. The laboratory shows one impact.
 import { make } from '../browser/dom.js';
+import { timesOf } from '../form/settings.js';
 import { Events } from '../frame/story.js';
 import { text } from '../text/catalogue.js';
 import { figures, length, percent, speed } from '../text/format.js';
@@ -51,7 +52,7 @@ export function eventsOf({ bounces, gravity, height, rest }) {
     const before = k ? bounces[k - 1].height : height;
     const values = {
       ...{ number: k + 1, fast: speed(Math.sqrt(2 * gravity * before)), stays: rises <= 0 },
-      ...{ left: figures(Math.max(restitution, 0), 3), share: percent(rises / before) },
+      ...{ left: percent(Math.max(restitution, 0)), share: percent(rises / before) },
     };
     const name = k < NAMED ? text('fall.named.bounce', { number: k + 1 }) : undefined;
     return /** @type {Event} */ ([t, text('fall.event.bounce', values), name]);
@@ -98,9 +99,10 @@ export class FallView {
     this.closer.load(this.fall ? impactsOf(frame, this.fall.bounces) : []);
   }
   /** @param {AxialFrame} frame */
-  clock({ chosen, opens }) {
+  clock(frame) {
     const end = this.fall?.end ?? 1;
-    return { kind: 'fall', scene: chosen.scene, length: end, unit: 1, first: FIRST * end, time: opens.time };
+    const { time } = timesOf(frame);
+    return { kind: 'fall', scene: frame.chosen.scene, length: end, unit: 1, first: FIRST * end, time };
   }
   get leading() {
     return this.given ? ['restitution', 'speed', 'law'] : ['speed', 'law'];

@@ -1,5 +1,5 @@
 // The form: one control for each choice, made from the bounds that the server holds.
-import { changesOf } from './settings.js';
+import { titleOf } from './settings.js';
 import { said, text } from '../text/catalogue.js';
 import { LABELS, METHODS } from '../text/words.js';
 import { make } from '../browser/dom.js';
@@ -132,7 +132,7 @@ export class Controls {
    */
   #entitle(frame) {
     const title = entryOf(String(frame.chosen.scene), frame.title || text('gallery.untitled'));
-    this.scene.say(changesOf(frame) ? text('controls.changed', { title }) : title);
+    this.scene.say(titleOf(frame, title));
   }
   /**
    * Sheets of rubber or wood between the two, each a linear spring.

@@ -1,5 +1,6 @@
 // Settings in which solutions differ, in the words of their controls.
 import { wordsOf } from '../wire/body_values.js';
+import { text } from '../text/catalogue.js';
 import { pretty } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 
@@ -9,6 +10,7 @@ import { LABELS } from '../text/words.js';
 const UNITS = new Set(['N/m', 'N/m¹·⁵', 'N', 'm']); // that a value is written with
 // settings of how a scene is solved, not of what it is
 const HOW = ['method', 'modes', 'elements', 'shapes', 'floating_frame'];
+const CLAIM = /(?<!\d): /; // in a title, behind what it is about: what happens; not behind the number of a figure
 const MOTION = ['motion_seconds', 'motion_links']; // and of how far, by what model, it is followed
 
 /**
@@ -46,14 +48,45 @@ const isHow = (name, frames) =>
     frames.every((frame) => 'damps' in frame && !frame.damps && !('exact' in frame && frame.exact.sudden)));
 
 /**
+ * Settings in which an impact is not that of its scene, values of bodies aside.
+ * @param {Frame} frame
+ */
+const changedIn = (frame) =>
+  differing([frame, { ...frame, chosen: frame.own }]).filter(
+    (name) => !isHow(name, [frame]) && !MOTION.includes(name) && name !== 'bodies',
+  );
+
+/**
+ * Whether an impact is not that of its scene, so that nothing that the scene says of itself holds for it.
+ * @param {Frame} frame
+ */
+export const isChanged = (frame) => Boolean(frame.chosen.bodies) || changedIn(frame).length > 0;
+
+/**
  * In what an impact is not that of its scene, in words; nothing where it is.
  * @param {Frame} frame
  */
-export function changesOf(frame) {
-  const names = differing([frame, { ...frame, chosen: frame.own }]);
-  const changed = names.filter((name) => !isHow(name, [frame]) && !MOTION.includes(name) && name !== 'bodies');
-  return [wordsOf(frame), lineOf(changed, frame)].filter(Boolean).join(', ');
-}
+export const changesOf = (frame) => [wordsOf(frame), lineOf(changedIn(frame), frame)].filter(Boolean).join(', ');
+
+/**
+ * What a scene is about, of its title, without what happens there.
+ * @param {string} title
+ */
+export const aboutOf = (title) => title.split(CLAIM)[0];
+
+/**
+ * What an impact is called: a changed one by what its scene is about, without what happens there.
+ * @param {Frame} frame
+ * @param {string} [title]  of its scene
+ */
+export const titleOf = (frame, title = frame.title) =>
+  isChanged(frame) ? text('controls.changed', { title: aboutOf(title) }) : title;
+
+/**
+ * The instant that a scene is opened at, and until when it is looked at [s]; those of a changed one are its own.
+ * @param {Frame} frame
+ */
+export const timesOf = (frame) => (isChanged(frame) ? { time: null, until: null } : frame.opens);
 
 /**
  * A setting in words: "Hertz", "2 m/s", "Modes 5".
@@ -61,10 +94,10 @@ export function changesOf(frame) {
  * @param {Frame} frame
  */
 function settingOf(name, frame) {
-  const { chosen, title } = frame;
+  const { chosen } = frame;
   const { options, title: control, unit } = LABELS[name];
   const value = chosen[name];
-  if (name === 'scene') return title;
+  if (name === 'scene') return titleOf(frame);
   if (name === 'bodies') return wordsOf(frame);
   if (typeof value !== 'number') return options?.[value] ?? value;
   return unit === 'm/s'

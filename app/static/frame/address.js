@@ -88,7 +88,7 @@ export function queryOf(page, moment = false, spoken = SPOKEN, taught) {
   const taken = (taught ?? page.changes.held).said;
   const seen = viewOf(page, moment).filter(([key]) => !taught || !PASSING.includes(key));
   const said = [...choicesOf(model, frame), ...taken, ...panels, ...seen];
-  const query = new URLSearchParams([...said, ...page.opening.said(said.some(([key]) => key !== 'gallery')), ...asked]);
+  const query = new URLSearchParams([...said, ...page.opening.said, ...asked]);
   return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);
 }
 

@@ -1,7 +1,7 @@
 // What the stories of all kinds of impacts are made of: events, warnings, where the energy went.
 import { figures, percent, unbroken } from '../text/format.js';
 import { text } from '../text/catalogue.js';
-import { changesOf } from '../form/settings.js';
+import { aboutOf, changesOf } from '../form/settings.js';
 import { columnHead, make, scrolled } from '../browser/dom.js';
 
 /** @import { Energies, Frame } from '../messages.js' */
@@ -132,13 +132,15 @@ export const lookCloser = (textContent, onclick, kind = '') =>
   });
 
 /**
- * What a scene says of itself, in what this impact is another one, and which of its keys have no control here.
+ * What a scene says of itself and where it is from; of a changed one, in what it is another. And which of its keys have
+ * no control here.
  * @param {Frame} frame
+ * @param {string} source  a sentence
  */
-export function noteOf(frame) {
+export function noteOf(frame, source) {
   const { note, unshown } = frame;
   const what = changesOf(frame);
-  const changed = what && text('story.changed', { what });
+  const own = what ? [text('story.changed', { title: aboutOf(frame.title), what })] : [source, note];
   const keys = unshown.length ? text('story.unshown', { keys: unshown.join(', ') }) : '';
-  return [changed, note, keys].filter(Boolean).join(' ');
+  return [...own, keys].filter(Boolean).join(' ');
 }

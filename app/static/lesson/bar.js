@@ -3,7 +3,7 @@ import { make } from '../browser/dom.js';
 import { framed } from '../browser/home.js';
 import { lessonAt } from '../frame/address.js';
 import { text } from '../text/catalogue.js';
-import { KEY, Print } from './print.js';
+import { Print } from './print.js';
 import { Projector, PROJECTOR } from './projector.js';
 
 /** @import { Lesson } from './lesson.js' */
@@ -33,7 +33,7 @@ export class Bar {
   }
   /** What the address says besides. */
   get said() {
-    return `${this.lesson.flags.includes(KEY) ? `&${KEY}` : ''}${this.projector.on ? `&${PROJECTOR}` : ''}`;
+    return this.projector.on ? `&${PROJECTOR}` : '';
   }
   /**
    * All answers are forgotten at the second press.

@@ -30,6 +30,7 @@ const HEAD = 4; // letters of form and salt
 export const SALTS = P ** (HEAD - 1);
 const PRINT = 3; // letters of what is asked
 export const GROUP = 4; // letters
+export const MOST_LETTERS = 1000; // of a code; what reads it takes their square
 // Of a primitive polynomial, x⁴ + 15x³ + x² + x + 2: all wrong letters, two of them, and all neighbours that change
 // places are found; of all else one in 130 321 is not.
 const CHECK = [2, 1, 1, 15];
@@ -202,7 +203,7 @@ const KINDS = {
  */
 export function givenOf(record, answers) {
   const given = questionsOf(record).map(({ found, kind, name }) => {
-    const answer = answers[name];
+    const answer = Object.hasOwn(answers, name) ? answers[name] : null;
     if (kind === 'choice') return [name, answer?.done ? { picked: answer.picked } : null];
     if (kind === 'set') {
       const placeIn = (/** @type {number} */ k) =>
@@ -229,11 +230,16 @@ function drawnOf({ late, line, outcomes }) {
   };
 }
 
+/** @type {WeakMap<Asks, number>} */
+const PRINTS = new WeakMap();
+
 /**
  * A number that stands for what is asked, in whatever language.
  * @param {Asks} record
  */
 function printOf(record) {
+  const known = PRINTS.get(record);
+  if (known !== undefined) return known;
   const asked = questionsOf(record).map(({ axis, found, items, judges, kind, name, options, range, units, until }) => {
     const sizes = [options, items, found].map((list) => list?.length ?? 0);
     const criteria = judges?.map((/** @type {Part} */ { criterion }) => criterion) ?? [];
@@ -242,20 +248,40 @@ function printOf(record) {
   let hash = 0x811c9dc5;
   for (const sign of JSON.stringify([record.lesson, asked]))
     hash = Math.imul(hash ^ (sign.codePointAt(0) ?? 0), 0x01000193) >>> 0;
+  PRINTS.set(record, hash % P ** PRINT);
   return hash % P ** PRINT;
 }
+
+/**
+ * @param {number[]} rest  after the letters before
+ * @param {number} value  of a letter
+ */
+function restAfter(rest, value) {
+  const over = (value + rest[3]) % P;
+  return CHECK.map((each, k) => ((k ? rest[k - 1] : 0) + (P - over) * each) % P);
+}
+const sealOf = (/** @type {number[]} */ rest) => SEAL.map((seal, k) => (P - rest[3 - k] + seal) % P);
 
 /**
  * @param {number[]} values  of letters
  * @returns {number[]}  of those that check them
  */
-function checkOf(values) {
-  let rest = START;
-  for (const value of values) {
-    const over = (value + rest[3]) % P;
-    rest = CHECK.map((each, k) => ((k ? rest[k - 1] : 0) + (P - over) * each) % P);
+const checkOf = (values) => sealOf(values.reduce(restAfter, START));
+
+/** Letters that come one after the other, and whether the last of them check those before: a step for each. */
+export class Checked {
+  letters = '';
+  #rests = [START];
+  /** @param {string} more  of LETTERS */
+  add(more) {
+    for (const each of more) this.#rests.push(restAfter(this.#rests[this.#rests.length - 1], LETTERS.indexOf(each)));
+    this.letters += more;
   }
-  return SEAL.map((seal, k) => (P - rest[3 - k] + seal) % P);
+  get right() {
+    const end = this.letters.length - SEAL.length;
+    if (end < HEAD + PRINT) return false;
+    return sealOf(this.#rests[end]).every((value, k) => this.letters[end + k] === LETTERS[value]);
+  }
 }
 
 /**
@@ -329,6 +355,7 @@ export const plain = (written) => written.toUpperCase().replace(/[\s–—_.-]/g
  */
 export function readCode(record, written) {
   const letters = plain(written);
+  if (letters.length > MOST_LETTERS) throw new CodeError('check');
   const wrong = [...letters].find((each) => !LETTERS.includes(each));
   if (letters.length < HEAD + PRINT + SEAL.length) throw new CodeError('short');
   if (wrong) throw new CodeError('sign', wrong);

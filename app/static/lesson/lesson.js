@@ -14,7 +14,6 @@ import { endingOf } from './ending.js';
 import { eventsOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
 import { elementsOf } from './nodes.js';
-import { KEY } from './print.js';
 import { PROJECTOR } from './projector.js';
 import { asks, questionOf } from './questions.js';
 import { Second } from './second.js';
@@ -53,7 +52,7 @@ import { summaryOf } from './summary.js';
 
 const AT_FIRST = ['bodies'];
 const PLAIN = ['bodies', 'rows']; // what of it is no chart
-const FLAGS = [KEY, PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
+const FLAGS = [PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
 export class Lesson {
@@ -105,7 +104,8 @@ export class Lesson {
   #kept() {
     const fresh = { of: this.#questions, far: 0, answers: {} };
     const found = kept(this.key, fresh);
-    return found?.of === fresh.of ? found : fresh;
+    const answers = Object.assign(Object.create(null), found?.of === fresh.of ? found.answers : {}); // by any name
+    return { ...(found?.of === fresh.of ? found : fresh), answers };
   }
   /** Take the place of the opening's own words. */
   open() {
@@ -163,7 +163,7 @@ export class Lesson {
     if (!this.paper) keep(this.key, this.progress);
   }
   restart() {
-    this.progress = { of: this.#questions, far: 0, answers: {} };
+    this.progress = { of: this.#questions, far: 0, answers: Object.create(null) };
     this.keep();
     this.enter(0);
   }

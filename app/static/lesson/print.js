@@ -1,4 +1,4 @@
-// A lesson on paper: all its steps with room for answers, and no answer; a key for the teacher on a page of its own.
+// A lesson on paper: all its steps with room for answers, and no answer. The key is for the page of the teacher.
 import { contextOf } from '../charts/canvas.js';
 import { FINE, pictureOf } from '../charts/save.js';
 import { make } from '../browser/dom.js';
@@ -21,7 +21,6 @@ import { FACTORS } from './sketch.js';
 /** @typedef {{ src: string, width?: number }} Picture  `width`: in pixels of the page, so that letters are as there */
 /** @typedef {{ events: Events, curve: Samples | null, stage: Picture[], below: Picture[] }} Shown  of a step */
 
-export const KEY = 'key'; // in the address
 const CHART = { width: 704, height: 300 }; // pixels of an empty one
 const INKS = { edge: '#000000', faint: '#000000', grid: '#8b95a1' }; // to be read when printed
 const UNKNOWN = { start: '…', end: '…', peak: '…', yours: '…', true: '…' }; // on paper nothing was moved or drawn
@@ -53,7 +52,7 @@ function imageOf({ src, width }, className) {
 /**
  * Axes with the given point, to be drawn on, or with what happens.
  * @param {Part} part
- * @param {Shown} shown
+ * @param {Happens} shown
  * @param {boolean} full
  */
 function chartOf({ axis, given, until }, { curve, events }, full) {
@@ -78,9 +77,15 @@ const ASKED = {
     line(text('lesson.number-them')),
     ...mixed(items.length).map((k) => make('p', { className: 'print-place' }, ...elementsOf(items[k].text))),
   ],
-  set: ({ slider, start }, lesson) => [
-    line(text('lesson.from', { value: lesson.valueWords(slider, start).trim() })),
-    make('p', { className: 'print-blank' }),
+  set: ({ range, slider, start }, lesson) => [
+    line(
+      text('lesson.on-paper', {
+        value: lesson.valueWords(slider, start).trim(),
+        low: figures(range[0]),
+        high: figures(range[1]),
+      }),
+    ),
+    make('p', { className: 'print-blank' }, LABELS[slider].unit ?? ''),
   ],
   sketch: (part, _, shown) => [
     line(text('lesson.axis', { track: text(`lesson.track.${part.track}`), unit: part.unit })),
@@ -88,7 +93,8 @@ const ASKED = {
   ],
 };
 
-/** @type {Record<string, (part: Part, shown: Shown) => Node[]>} */
+/** @typedef {Pick<Shown, 'events' | 'curve'>} Happens  of a step */
+/** @type {Record<string, (part: Part, shown: Happens) => Node[]>} */
 const RIGHT = {
   choice: ({ options }) =>
     options
@@ -109,20 +115,34 @@ const RIGHT = {
   order: ({ items }) => [
     make('ol', {}, ...items.map((/** @type {Part} */ each) => make('li', {}, ...elementsOf(each.text)))),
   ],
-  set: ({ found, slider }) =>
+  set: ({ found, goal, slider }) =>
     found.map((/** @type {Part} */ { range, say }) => {
       const { title, unit = '' } = LABELS[slider];
-      const ends = range?.map((/** @type {number} */ end) => figures(end));
-      const where = ends
-        ? [make('b', { textContent: text('class.within', { title, low: ends[0], high: ends[1], unit }).trim() })]
-        : [];
-      return make('p', {}, ...where, ...(ends ? [': '] : []), ...elementsOf(say, UNKNOWN));
+      const [low, high] = (range ?? []).map((/** @type {number} */ end) => figures(end));
+      const where = range
+        ? text('class.within', { title, low, high, unit }).trim()
+        : `${goal.quantity} ${goal.relation} ${figures(goal.value)}`; // as the file of the lesson has it
+      return make('p', {}, make('b', { textContent: where }), ': ', ...elementsOf(say, UNKNOWN));
     }),
   sketch: (part, shown) => [
     ...(shown.curve ? [chartOf(part, shown, true)] : []),
     ...part.judges.map((/** @type {Part} */ each) => make('p', {}, ...elementsOf(each.says.yes, UNKNOWN))),
   ],
 };
+
+/**
+ * What is right, step by step, for who teaches it.
+ * @param {import('./lesson.js').Record_} record
+ * @param {(part: Part) => Happens} shownOf  what happens, for the lines that are drawn
+ */
+export function keyOf(record, shownOf) {
+  const steps = record.steps.flatMap(({ parts, title }, k) => {
+    const part = parts.find(asks);
+    const heading = make('h2', { textContent: `${k + 1}. ${title}` });
+    return part ? [make('section', {}, heading, ...RIGHT[part.kind](part, shownOf(part)))] : [];
+  });
+  return [make('h1', { textContent: text('lesson.key-of', { title: record.title }) }), ...steps];
+}
 
 export class Print {
   /** @type {Map<number, Shown>} */ shown = new Map(); // by step
@@ -131,7 +151,6 @@ export class Print {
   /** @param {Lesson} lesson */
   constructor(lesson) {
     this.lesson = lesson;
-    this.key = make('input', { type: 'checkbox' });
     const name = text('lesson.print');
     this.button = make('button', { type: 'button', textContent: name });
     this.button.className = 'lesson-paper';
@@ -142,16 +161,22 @@ export class Print {
       textContent: name,
       onclick: () => this.print(),
     });
-    this.label = make('label', {}, this.key, ' ', text('lesson.key'));
-    this.dialog = make('dialog', { className: 'lesson-printing', ariaLabel: name }, this.label, act);
-    this.dialog.setAttribute('closedby', 'any');
+    const cancel = make('button', {
+      type: 'button',
+      textContent: text('lesson.cancel'),
+      onclick: () => this.dialog.close(),
+    });
+    const heading = make('h2', { textContent: text('lesson.print-title') });
+    const acts = make('p', {}, act, ' ', cancel);
+    this.dialog = make('dialog', { className: 'lesson-printing', ariaLabel: heading.textContent ?? '' });
+    this.dialog.append(heading, line(text('lesson.print-about')), acts);
+    this.dialog.onclick = ({ target }) => {
+      if (target === this.dialog) this.dialog.close(); // beside it
+    };
     window.addEventListener('beforeprint', () => this.#fill());
   }
   #offer() {
-    if (!this.dialog.isConnected) {
-      this.lesson.page.root.append(this.dialog);
-      this.key.checked = this.lesson.flags.includes(KEY);
-    }
+    if (!this.dialog.isConnected) this.lesson.page.root.append(this.dialog);
     this.dialog.showModal();
   }
   /** With pictures of all steps, each of which is shown for a moment as it is before anything is answered. */
@@ -160,8 +185,13 @@ export class Print {
     const { lesson } = this;
     const { at, progress, still } = lesson;
     const { root } = lesson.page;
+    root.dataset.printing = text('lesson.printing');
     root.classList.add('printing'); // where pictures are as wide as a sheet, and nobody sees what is still ahead
-    Object.assign(lesson, { paper: true, still: true, progress: { ...progress, far: 0, answers: {} } });
+    Object.assign(lesson, {
+      paper: true,
+      still: true,
+      progress: { ...progress, far: 0, answers: Object.create(null) },
+    });
     for (const k of lesson.record.steps.keys()) await this.#look(k);
     Object.assign(lesson, { progress, still });
     root.classList.remove('printing');
@@ -210,22 +240,19 @@ export class Print {
     const { record } = lesson;
     const { page } = lesson;
     if (!root.isConnected) page.root.append(root);
-    const wanted = this.dialog.isConnected ? this.key.checked : lesson.flags.includes(KEY);
-    /** @type {HTMLElement[]} */
-    const key = [make('h1', { textContent: text('lesson.key-of', { title: record.title }) })];
     const drawn = record.steps.findIndex(({ parts }) => parts.some(({ kind }) => kind === 'sketch'));
     const stage = lesson.coming ? [] : [{ src: page.view.stage.canvas.toDataURL() }];
+    const seen = new Set();
     const steps = record.steps.flatMap((step, k) => {
       const part = step.parts.find(asks);
       const none = { events: lesson.events, curve: null, stage: k === lesson.at ? stage : [], below: [] };
       const shown = this.shown.get(k) ?? none;
       const below = shown.below.map((each) => imageOf(each, 'print-below'));
       const tells = drawn >= 0 && k >= drawn; // what is to be drawn
-      const right = [...(tells ? below : []), ...(part ? RIGHT[part.kind](part, shown) : [])];
-      if (right.length) key.push(make('section', {}, make('h2', { textContent: step.title }), ...right));
       if (step.parts.some(sums)) return []; // which says what is so
       const texts = step.parts.filter(({ kind }) => kind === 'text').flatMap(({ nodes }) => elementsOf(nodes));
-      const pictures = [...shown.stage.map((each) => imageOf(each, 'print-still')), ...(tells ? [] : below)];
+      const stills = shown.stage.filter(({ src }) => !seen.has(src) && seen.add(src)); // each once
+      const pictures = [...stills.map((each) => imageOf(each, 'print-still')), ...(tells ? [] : below)];
       const asked = part ? ASKED[part.kind](part, lesson, shown) : [];
       return [
         make('section', {}, make('h2', { textContent: `${k + 1}. ${step.title}` }), ...texts, ...pictures, ...asked),
@@ -235,12 +262,12 @@ export class Print {
     const all = record.steps.every(({ parts }, k) => this.shown.has(k) || parts.some(sums));
     const whole = all || !this.button.isConnected;
     const note = whole ? [] : [line(text('lesson.pictures'), 'print-note')];
-    root.replaceChildren(
-      title,
-      ...note,
-      ...steps,
-      ...(wanted ? [make('div', { className: 'print-key' }, ...key)] : []),
+    const who = make(
+      'p',
+      { className: 'print-who' },
+      ...['lesson.name', 'lesson.date'].map((each) => make('span', { textContent: text(each) })),
     );
+    root.replaceChildren(title, who, ...note, ...steps);
   }
 }
 

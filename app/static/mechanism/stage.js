@@ -27,6 +27,9 @@ export class MechanismStage extends BeamStage {
   get diagrams() {
     return !this.taught && !this.field.lengthwise && this.mechanism.bends && !this.narrow;
   }
+  get predicts() {
+    return false; // the shape is that of one link
+  }
   get leading() {
     return false; // rows of one link would say little of all of them
   }

@@ -2,6 +2,7 @@
 // copies this module away from its folder: an address says where that is.
 
 const FORM = 1; // of what a frame says: as in frame/framed.js
+const SCHEMES = ['https:', 'http:', 'file:'];
 const [FIRST, MOST] = [720, 4000]; // pixels of height: before it says one, and at most
 
 /**
@@ -11,9 +12,11 @@ const [FIRST, MOST] = [720, 4000]; // pixels of height: before it says one, and 
  */
 function render({ model, el }) {
   const src = model.get('src');
-  if (!src || typeof src !== 'string' || !URL.canParse(src, document.baseURI))
+  const address =
+    typeof src === 'string' && src && URL.canParse(src, document.baseURI) && new URL(src, document.baseURI);
+  if (!address || !SCHEMES.includes(address.protocol))
+    // a script in place of one would run in the book
     throw new Error(`src: got ${JSON.stringify(src)}; allowed: an address of the laboratory, such as Copy link gives`);
-  const address = new URL(src, document.baseURI);
   address.search = `?embed&${address.search.slice(1)}`;
   const frame = document.createElement('iframe');
   Object.assign(frame, { src: address.href, title: model.get('title') ?? '', allow: 'clipboard-write' });

@@ -5,6 +5,7 @@ import { alone, carried, framed } from '../browser/home.js';
 import { make } from '../browser/dom.js';
 import { TITLES } from '../frame/layout.js';
 import { lessonIn, Teaching } from '../frame/teaching.js';
+import { isChanged } from '../form/settings.js';
 import { keep, kept } from '../browser/store.js';
 import { family, text } from '../text/catalogue.js';
 import { Happens } from './happens.js';
@@ -45,7 +46,7 @@ function changesOf(frame, leading) {
 }
 
 /**
- * Which of them a visitor sees first: links of before there was an opening lead to the laboratory.
+ * Which of them a visitor sees first: what a link says, else its picture, beside it the dock that has what it names.
  * @param {string} search  of the address
  * @returns {Plan}
  */
@@ -53,10 +54,11 @@ function planOf(search) {
   if (!alone) return 'laboratory';
   if (lessonIn(search)) return 'opening';
   const query = new URLSearchParams(search);
-  const asked = query.get('layout');
+  const asked = PLANS.find((name) => name === query.get('layout'));
   if (carried || framed) return asked === 'docks' ? asked : 'opening';
   for (const key of ['gallery', 'language']) query.delete(key); // which go with any
-  return PLANS.find((name) => name === asked) ?? (query.size ? 'laboratory' : kept(PLAN, 'opening'));
+  const named = query.has('panel') || query.has('tab') ? 'docks' : 'opening';
+  return asked ?? (query.size ? named : kept(PLAN, 'opening'));
 }
 
 export class Opening {
@@ -111,13 +113,12 @@ export class Opening {
     return this.leads && this.plan !== 'opening';
   }
   /**
-   * What a link says of it: what it would lead to otherwise is left out.
-   * @param {boolean} more  whether the link says anything else
+   * What a link says of it: nothing of the picture alone, which it leads to otherwise.
    * @returns {[key: string, value: string][]}
    */
-  said(more) {
+  get said() {
     const { plan } = this;
-    return alone && (plan === 'docks' || (plan === 'opening') === more) ? [['layout', plan]] : [];
+    return alone && plan !== 'opening' ? [['layout', plan]] : [];
   }
   /** What its rows are of; nothing of bodies that have none. */
   get shown() {
@@ -279,7 +280,8 @@ export class Opening {
    * Ways to look closer.
    * @param {Frame} frame
    */
-  #offer({ source }) {
+  #offer(frame) {
+    const source = isChanged(frame) ? '' : frame.source;
     if (this.closer.dataset.said === source) return;
     this.closer.dataset.said = source;
     const enter = (/** @type {string} */ textContent, /** @type {() => void} */ onclick) =>
@@ -296,8 +298,13 @@ export class Opening {
   }
   /** To the laboratory, which another place has where there is no server. */
   #leave() {
-    if (carried) window.open(`${carried.laboratory}?${queryOf(this.page, true)}`, '_blank', 'noopener');
-    else this.turn('laboratory');
+    if (!carried) {
+      this.turn('laboratory');
+      return;
+    }
+    const query = new URLSearchParams(queryOf(this.page, true));
+    query.set('layout', 'laboratory');
+    window.open(`${carried.laboratory}?${query}`, '_blank', 'noopener');
   }
   /**
    * Another solve, or another size: the rows lie below the bodies, which are drawn first.

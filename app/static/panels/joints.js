@@ -3,7 +3,7 @@ import { Figure } from '../charts/figure.js';
 import { make } from '../browser/dom.js';
 import { family, said, text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
-import { GROUND, linkOf } from '../text/words.js';
+import { linkOf } from '../text/words.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
@@ -42,7 +42,7 @@ class Joints extends Panel {
   }
   get empty() {
     const { frame } = this.page;
-    return 'mechanism' in frame && !frame.mechanism.joints.some(({ links }) => !links.includes(GROUND));
+    return 'mechanism' in frame && !frame.mechanism.joints.some(({ scatters }) => scatters);
   }
   /**
    * @param {Joint | null} found

@@ -78,7 +78,7 @@ export class SpaceStory {
     const rows = figures.map(([name, value, unit]) => rowOf([text(`space.row.${name}`), written(value), unit]));
     this.figures.replaceChildren(make('tbody', {}, ...rows));
     this.warnings.load(notes.map(said));
-    this.trust.textContent = [text('story.source', { title, source }), noteOf(frame)].filter(Boolean).join(' ');
+    this.trust.textContent = noteOf(frame, text('story.source', { title, source }));
   }
   /** @param {number} t */
   at(t) {

@@ -1,5 +1,6 @@
 // Everything that is shown of an impulse between bodies in space.
 import { segments } from '../browser/dom.js';
+import { timesOf } from '../form/settings.js';
 import { Stack } from '../frame/stack.js';
 import { family, text } from '../text/catalogue.js';
 import { Course, Hodograph } from './charts.js';
@@ -61,8 +62,8 @@ export class SpaceView {
   }
   /** @param {SpaceFrame} frame */
   clock(frame) {
-    const { chosen, duration, opens } = frame;
-    const run = { kind: 'bodies', scene: chosen.scene, unit: duration, first: FIRST, time: opens.time };
+    const { chosen, duration } = frame;
+    const run = { kind: 'bodies', scene: chosen.scene, unit: duration, first: FIRST, time: timesOf(frame).time };
     if (!this.slow) return { ...run, ...MOVEMENT };
     return { ...run, ...CLOCK, said: (/** @type {number} */ t) => impulseAt(frame, t) };
   }

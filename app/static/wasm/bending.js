@@ -9,7 +9,7 @@ const FOLLOWED = ['mass_ratio', 'speed'];
 /** Of other solutions, which only the server has. */
 const BESIDE = [
   ...['referenceImpactorPath', 'referenceStruckPath', 'referenceTime', 'referenceForce'],
-  ...['staticTime', 'staticPath', 'halfTime', 'halfForce', 'mainTime', 'mainForce'],
+  ...['staticTime', 'staticPath', 'staticModel', 'halfTime', 'halfForce', 'mainTime', 'mainForce'],
 ];
 
 /**

@@ -22,6 +22,7 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..estimates import error_left, with_error
 from ..options import option, real, whole, word
+from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike
 from ..validity import bodies_that_bend, notes_on_rigid_impact
 from .motion import MOST_NUMBERS, BalanceMotion, Pair, Run
 
@@ -141,8 +142,12 @@ class Balance(Method):
             peak_indentation=None,
             residual_indentation=None,
             notes=self._notes(scene, run),
-            **with_error(found, lambda: self._estimated_error(scene, run) if self.estimate else None),
+            **with_error(found, lambda: self._error(scene, run, found)),
         )
+
+    def _error(self, scene: Scene, run: Run, found: Mapping[str, Any]) -> float | None:
+        estimated = self._estimated_error(scene, run) if self.estimate else None
+        return None if estimated is None else max(estimated, may_gain(scene, found, run.end))
 
     def _notes(self, scene: Scene, run: Run) -> list[Note]:
         notes = []
@@ -151,6 +156,8 @@ class Balance(Method):
             notes.append(
                 Note("balances-cut-short", Severity.WARNING, time=run.duration, balances=count, located=located)
             )
+        elif run.end is End.MAY_TOUCH:
+            notes.append(MAY_TOUCH_AGAIN)
         if not scene.rigid_contact:
             notes.append(Note("balance-without-law", Severity.WARNING))
         if self._elements is None and self.modes is not None:
@@ -223,34 +230,45 @@ class Balance(Method):
         q, p = np.zeros(bank.closing.size), pair.start.copy()
         end = MAX_ROUND_TRIPS * scene.time_unit if duration is None else duration
         period = pair.shortest_period or scene.time_unit
+        patience = pair.patience if duration is None else math.inf
         joined, flight, step = balances.apart(), bank.frequencies, self.step
         if self.variant == "event-located":
             joined, step = balances.joined(bank), period / SAMPLES_PER_PERIOD
             count, reached = balances.event_located(
                 bank, joined, exact_turn(bank.frequencies, step), step, self.restitution, MIN_FLIGHT * period, end,
-                pair.patience, q, p, found, Work.of(q.size),
+                patience, q, p, found, Work.of(q.size),
             )  # fmt: skip
         elif self.variant == "step-end":
             step = period / SAMPLES_PER_PERIOD if step is None else step
             flight = newmark_frequencies(bank.frequencies, step)
             turn = newmark_turn(bank.frequencies, step)
-            count, reached = balances.at_step_ends(bank, turn, self.restitution, step, end, pair.patience, q, p, found)
+            count, reached = balances.at_step_ends(bank, turn, self.restitution, step, end, patience, q, p, found)
         else:
             step = period / SAMPLES_PER_PERIOD if step is None else step
             tolerance = 1e-4 * scene.speed * scene.time_unit if self.tolerance is None else self.tolerance
             turns = [exact_turn(bank.frequencies, step / 2.0**level) for level in range(HALVINGS)]
             turns = Turn(*(np.array(part) for part in zip(*turns, strict=True)))
             count, reached = balances.by_halving(
-                bank, turns, self.restitution, step, tolerance, end, pair.patience, q, p, found
+                bank, turns, self.restitution, step, tolerance, end, patience, q, p, found
             )
         events = Events(*(values[:count] for values in found))
         if duration is None:
             duration = float(events.time[-1]) + AFTERGLOW * scene.time_unit
         full = count + 2 > room and reached < end
-        return Run(pair, joined, flight, events, duration, full, 0 if step is None else int(np.ceil(duration / step)))
+        steps = 0 if step is None else int(np.ceil(duration / step))
+        return Run(pair, joined, flight, events, duration, full, steps, _end(scene, pair, events, patience))
 
     def _modes_of(self, body) -> Modes:
         if body.time_unit is None or self._elements is None or body.own_modes:
             return body.modes(self.modes or 0)
         kept = MODES_OF_BEAMS if body.bends and self.modes is None else self.modes
         return mesh_modes(body.mesh(self._elements), kept)
+
+
+def _end(scene: Scene, pair: Pair, events: Events, patience: float) -> End:
+    """How a run until the bodies part has ended; `patience` [s]: for how long they were watched at most."""
+    bank = pair.bank
+    if math.isinf(patience) or events.stuck[-1] or bank.fall or bank.surge:
+        return End.FOLLOWED
+    sure = moves_alike(scene) or balances.clear_after(bank, events.coordinates[-1], events.rates[-1]) <= patience
+    return End.PARTED if sure else End.MAY_TOUCH

@@ -9,14 +9,16 @@ import numpy as np
 
 from ...numerics import balance_histories
 from ...numerics.balance_histories import DRAWN
-from ...numerics.balances import PATIENCE, Bank, Events, Joined, Work
+from ...numerics.balances import Bank, Events, Joined, Work
 from ...numerics.elements.line import two_sided
 from ...numerics.modes import Modes
 from ...scene import Scene
 from ...solution.motion import TargetState
 from ...solution.sampled_motion import SampledMotion, ShapeField
 from ...solution.solution import ContactPeriod
+from ..parting import End, patience
 
+ROUND_TRIPS = 2.0  # for which bodies that move apart are watched at least
 MOST_NUMBERS = 4_000_000  # doubles kept: coordinates after every balance
 
 
@@ -31,7 +33,7 @@ class Pair:
     split: int
     shortest_period: float
     resolved_time: float  # [s] apart for less is still in contact, as far as these modes resolve it
-    patience: float  # [s] apart for so long and moving apart: for good
+    patience: float  # [s] for which bodies that move apart are watched
 
     @classmethod
     def of(cls, scene: Scene, modes_of) -> "Pair":
@@ -58,10 +60,11 @@ class Pair:
         shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
         rings = [(own, body) for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
         split = modes[0].frequencies.size + 1
-        patience = PATIENCE * max((body.time_unit or 0.0 for _, body in rings), default=scene.time_unit)
+        trips = max((body.time_unit or 0.0 for _, body in rings), default=scene.time_unit)
+        longest = max(ROUND_TRIPS * trips, patience(scene))
         # bending waves disperse: no front runs through a beam
         resolved = (own.shortest_period if body.bends else own.front_time for own, body in rings)
-        return cls(bank, np.concatenate(start), bodies, modes, split, shortest, max(resolved, default=0.0), patience)
+        return cls(bank, np.concatenate(start), bodies, modes, split, shortest, max(resolved, default=0.0), longest)
 
     def fields(self) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
         """Shapes, slopes (stress in tension), moments and shears, (modes + 2, x); the impactor is where x is negative.
@@ -106,6 +109,7 @@ class Run:
     duration: float
     full: bool
     steps: int
+    end: End
 
     @property
     def balances(self) -> np.ndarray:

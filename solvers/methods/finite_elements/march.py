@@ -4,7 +4,7 @@ import math
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 from ... import validation
 from ...contact import Linear
@@ -17,6 +17,7 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..estimates import error_left, with_error
 from ..options import option, real, whole
+from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience
 from ..validity import (
     STILL_TOUCHING,
     bodies_that_bend,
@@ -97,11 +98,13 @@ class FiniteElements(Method):
             peak_indentation=depth,
             residual_indentation=None if depth is None else float(scene.contact.dent(depth)),
             notes=Later(lambda solved: self._all_notes(solved, motion, duration)),  # pyright: ignore[reportArgumentType]
-            **with_error(found, lambda: self._error(scene, course)),
+            **with_error(found, lambda: self._error(scene, course, found)),
         )
 
-    def _error(self, scene: Scene, course: Course) -> float | None:
-        return self._estimated_error(scene, course) if self.estimate and not course.diverged else None
+    def _error(self, scene: Scene, course: Course, found: Mapping[str, Any]) -> float | None:
+        if not self.estimate or course.diverged:
+            return None
+        return max(self._estimated_error(scene, course), may_gain(scene, found, course.end))
 
     def _all_notes(self, solved: Solution, motion: ElementMotion, duration: float | None) -> list[Note]:
         found = solved.diagnostics
@@ -122,10 +125,12 @@ class FiniteElements(Method):
             notes.append(Note("mesh-stiffness", Severity.REMARK, factor=factor, both=both, stiffness=stiffness))
         if course.diverged:
             notes.append(Note("diverged", Severity.INVALID))
-        elif duration is None and self.steps is None and not course.parted:
+        elif duration is None and self.steps is None and course.end is End.FOLLOWED:
             notes.append(cut_short(course.steps, "steps"))
         elif course.force[-1] > 0.0:
             notes.append(STILL_TOUCHING)
+        elif course.end is End.MAY_TOUCH:
+            notes.append(MAY_TOUCH_AGAIN)
         raw, beam = motion.raw_contacts()[0].size, scene.bends
         if raw > contacts and not course.diverged:
             remedy = "law" if beam else self._calmer(scene)
@@ -283,37 +288,68 @@ class Plan:
                 raise validation.SceneError("method.steps", count, validation.allowed("explicit-steps", least=least))
         expected_steps, nodes = count or math.ceil(expected / fine), max(nodes, 1)
         stride = max(1, expected_steps // min(SNAPSHOTS, max(10, MOST_NUMBERS // nodes)))
-        if count is not None:
-            stride = next(part for part in range(stride, 0, -1) if count % part == 0)
+        if count is not None:  # so that the last instant has its snapshot
+            stride, count, fine = _in_strides(count, stride, fine)
         period = 2.0 * max(trips)
         most = int(min(MAX_STEPS, MAX_ROUND_TRIPS * scene.time_unit / fine, stride * MOST_NUMBERS // nodes))
-        most = count or stride * max(1, most // stride)  # so that the last instant has its snapshot
+        most = count or stride * max(1, most // stride)
         chunk = count or stride * math.ceil(period / fine / stride)
         return cls(fine, count, most, chunk, stride)
 
 
-def follow(
-    scene: Scene, plan: Plan, masses: tuple[float, float], make: Callable, advance: Callable, impulse: Callable
-) -> tuple[Any, int, bool]:
-    """March by chunks until the bodies have not touched for one and move apart. Returns record, steps, parted.
+def _in_strides(count: int, stride: int, step: float) -> tuple[int, int, float]:
+    """Stride, steps and step [s] of a march whose last instant has its snapshot, over the same time.
+
+    The number of steps is kept where it has a divisor near the stride; else it is rounded up, by less than a stride, as
+    a prime number of them would store every one.
+    """
+    divisor = next((part for part in range(stride, (stride - 1) // 2, -1) if count % part == 0), None)
+    if divisor is not None:
+        return divisor, count, step
+    whole = stride * math.ceil(count / stride)
+    return stride, whole, step * count / whole
+
+
+class March(NamedTuple):
+    """What marches: in both methods the same, but for coordinates.
 
     masses [kg]: what an impact feels of impactor and target as wholes, infinite of what is held; make(steps): an empty
-    record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s].
+    record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s]; room(record, instant):
+    by how much further the bodies as wholes are apart than their faces reach [m].
     """
-    record, done = make(plan.chunk), 0
+
+    masses: tuple[float, float]
+    make: Callable[[int], Any]
+    advance: Callable[[int, int, Any], int]
+    impulse: Callable[[Any, int], float]
+    room: Callable[[Any, int], float]
+
+
+def follow(scene: Scene, plan: Plan, march: March) -> tuple[Any, int, End]:
+    """March by chunks until the bodies have parted for good, see `methods.parting`: record, steps, and how it ended."""
+    record, done, touched = march.make(plan.chunk), 0, 0
+    alike, longest = moves_alike(scene), patience(scene)
     while done < plan.most:
         until = min(done + plan.chunk, plan.most)
         if until > record.contact_force.size - 1:
-            record = _grown(record, make(max(until, min(2 * until, plan.most))))
-        before, reached = impulse(record, done), advance(done, until, record)
+            record = _grown(record, march.make(max(until, min(2 * until, plan.most))))
+        before, reached = march.impulse(record, done), march.advance(done, until, record)
         if reached < until:
-            return record, reached, False
-        done, gained = until, impulse(record, until)
-        if plan.count is None and gained == before:
-            parting = scene.target.velocity + gained / masses[1] - (scene.impactor.velocity - gained / masses[0])
-            if parting > 0.0:
-                return record, done, True
-    return record, done, False
+            return record, reached, End.FOLLOWED
+        done, gained = until, march.impulse(record, until)
+        if gained != before:
+            touched = done
+        elif plan.count is None and _apart(scene, march.masses, gained):
+            if alike or march.room(record, done) > 0.0:
+                return record, done, End.PARTED
+            if (done - touched) * plan.step >= longest:
+                return record, done, End.MAY_TOUCH
+    return record, done, End.FOLLOWED
+
+
+def _apart(scene: Scene, masses: tuple[float, float], pushed: float) -> bool:
+    """Whether the bodies move apart as wholes."""
+    return scene.target.velocity + pushed / masses[1] > scene.impactor.velocity - pushed / masses[0]
 
 
 def _grown(record: Any, larger: Any) -> Any:
@@ -322,7 +358,7 @@ def _grown(record: Any, larger: Any) -> Any:
     return larger
 
 
-def end(plan: Plan, scene: Scene, last_touch: int, done: int) -> int:
+def shown(plan: Plan, scene: Scene, last_touch: int, done: int) -> int:
     """Steps to keep of a march until the bodies parted: a little beyond the last touch, up to a snapshot."""
     wished = last_touch + math.ceil(AFTERGLOW * scene.time_unit / plan.step)
     return min(done, plan.stride * math.ceil(wished / plan.stride))

@@ -18,7 +18,8 @@ from ...scene import Scene
 from ...solution.sampled_motion import ShapeField, given_up, growth
 from ...text.notes import Note, Severity
 from ..options import option, whole, word
-from .march import ELEMENTS_RANGE, FINER, MUCH_FINER, FiniteElements, Plan, end, follow
+from ..parting import End
+from .march import ELEMENTS_RANGE, FINER, MUCH_FINER, FiniteElements, March, Plan, follow, shown
 from .motion import Course, shape_field
 
 STEPS_PER_PERIOD = 20  # of the highest mode kept
@@ -123,8 +124,8 @@ class FeModal(FiniteElements):
 
     def _march(
         self, scene: Scene, duration: float | None
-    ) -> tuple[tuple[Modes, Modes], Any, float, Plan, Record, int, bool]:
-        """Modes of both, law, compliance of what is left out, plan, record, steps, and whether they have parted."""
+    ) -> tuple[tuple[Modes, Modes], Any, float, Plan, Record, int, End]:
+        """Modes of both, law, compliance of what is left out, plan, record, steps, and how it ended."""
         massless = self._massless(scene)
         first, second = (self._modes_of(body, self._kept(scene), massless) for body in (scene.impactor, scene.target))
         frequencies = np.concatenate((second.frequencies, first.frequencies))
@@ -157,20 +158,25 @@ class FeModal(FiniteElements):
             )  # fmt: skip
             return end
 
+        def impulse(record, instant):
+            return plan.step * float(record.contact_force[:instant].sum())
+
+        def room(record, instant):
+            swings = np.hypot(displacement, velocity).sum() + residual * abs(record.spring_force[instant])
+            return record.rigid_position[instant] - record.position[instant] - swings
+
         masses = first.rigid_mass, second.rigid_mass
-        record, done, parted = follow(
-            scene, plan, masses, make, advance, lambda record, k: plan.step * float(record.contact_force[:k].sum())
-        )
-        if parted:
+        record, done, how = follow(scene, plan, March(masses, make, advance, impulse, room))
+        if how is not End.FOLLOWED:
             last = int(np.flatnonzero(record.contact_force[:done])[-1]) + 1
-            done = end(plan, scene, last, done)
-        return (first, second), law, residual, plan, record, done, parted
+            done = shown(plan, scene, last, done)
+        return (first, second), law, residual, plan, record, done, how
 
     def _face_goes_along(self, scene: Scene) -> bool:
         """Whether a face has no compliance but its own: that of the massless element, and of the modes left out."""
         return self._massless(scene) and scene.rigid_contact
 
-    def _histories(self, scene, modes, law, residual, plan, record, steps, parted) -> Course:
+    def _histories(self, scene, modes, law, residual, plan, record, steps, end) -> Course:
         """Histories at all instants, fields and energies at the snapshots."""
         instants, rows = slice(0, steps + 1), slice(0, steps + 1, plan.stride)
         bodies, times = (scene.impactor, scene.target), plan.step * np.arange(steps + 1)
@@ -226,7 +232,7 @@ class FeModal(FiniteElements):
             momenta=(_momentum(bodies[0], momenta[0]), _momentum(bodies[1], momenta[1])),
             resolved_time=max(self._resolved_time(scene, m, body) for m, body in ringing),
             shortest_period=min(m.shortest_period for m, _ in ringing),
-            parted=parted,
+            end=end,
             diverged=False,
         )
 

@@ -11,6 +11,7 @@ from ...numerics.modal_contacts import run_out
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion, ShapeField, growth
 from ...solution.solution import ContactPeriod
+from ..parting import End
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ class Course:
     momenta: tuple[float, float]  # of impactor and target at the end, summed over the mesh [kg m/s]
     resolved_time: float  # apart for less is still in contact, as far as this mesh resolves it [s]
     shortest_period: float  # of the mesh [s]
-    parted: bool  # for good
+    end: End
     diverged: bool
 
     @property

@@ -14,11 +14,13 @@ from ...numerics.elements.banded import times
 from ...numerics.elements.line import Line, highest_frequency, line
 from ...numerics.elements.mesh import CONSISTENT, LUMPED, with_accelerations
 from ...numerics.law_functions import asked, stepped
+from ...numerics.parting import reach
 from ...scene import Scene
 from ...solution.sampled_motion import ShapeField, given_up
 from ...text.notes import Note, Severity
 from ..options import option, word
-from .march import MANY_ELEMENTS, FiniteElements, Plan, end, follow
+from ..parting import End
+from .march import MANY_ELEMENTS, FiniteElements, March, Plan, follow, shown
 from .modal import FeModal
 from .motion import Course, shape_field
 
@@ -91,8 +93,8 @@ class FeNodal(FiniteElements):
 
     def _marched(
         self, scene: Scene, duration: float | None
-    ) -> tuple[Any, Line, Any, Plan, newmark.Record, int, bool, bool]:
-        """Meshes, both as one, law, plan, record, steps, whether they have parted, and whether it has diverged."""
+    ) -> tuple[Any, Line, Any, Plan, newmark.Record, int, End, bool]:
+        """Meshes, both as one, law, plan, record, steps, how it ended, and whether it has diverged."""
         lumping = LUMPED if self.scheme == "central-difference" else CONSISTENT
         meshes = tuple(body.mesh(self.elements, lumping) for body in (scene.impactor, scene.target))
         whole, law = line(*meshes), self._law(scene)
@@ -103,7 +105,7 @@ class FeNodal(FiniteElements):
         plan = Plan.of(scene, law, fine, limit, self.steps, duration, whole.mass.shape[1])
         return meshes, whole, law, plan, *self._march(scene, meshes, whole, law, plan)
 
-    def _march(self, scene, meshes, whole: Line, law: Any, plan: Plan) -> tuple[newmark.Record, int, bool, bool]:
+    def _march(self, scene, meshes, whole: Line, law: Any, plan: Plan) -> tuple[newmark.Record, int, End, bool]:
         v = np.concatenate(
             [mesh.moving(body.velocity) for mesh, body in zip(meshes, (scene.impactor, scene.target), strict=True)]
         )
@@ -137,18 +139,34 @@ class FeNodal(FiniteElements):
                 return end
 
         masses = meshes[0].rigid_mass, meshes[1].rigid_mass
-        record, done, parted = follow(scene, plan, masses, make, advance, lambda record, k: float(record.impulse[k]))
-        diverged = self.status == "frozen" and done < plan.most and not parted
+        bodies = (scene.impactor, scene.target)
+
+        def room(record, instant):
+            snapshot = instant // stride
+            return _room(bodies, meshes, record.displacement[snapshot], record.velocity[snapshot])
+
+        march = March(masses, make, advance, lambda record, k: float(record.impulse[k]), room)
+        record, done, how = follow(scene, plan, march)
+        diverged = self.status == "frozen" and done < plan.most and how is End.FOLLOWED
         if diverged:
             done -= done % stride
-        elif parted:
+        elif how is not End.FOLLOWED:
             pressed = np.flatnonzero(record.contact_force[: done + 1] > 0.0)
             last = int(pressed[-1]) + 1 if pressed.size else 1  # in a step too long for a law they part as they touch
-            done = end(plan, scene, last, done)
-        return record, max(done, stride), parted, diverged
+            done = shown(plan, scene, last, done)
+        return record, max(done, stride), how, diverged
 
 
-def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverged) -> Course:
+def _room(bodies, meshes, u: np.ndarray, v: np.ndarray) -> float:
+    """By how much further both bodies as wholes are apart than their faces reach [m]; see `numerics.parting`."""
+    first = meshes[0].size
+    parts = slice(first), slice(first, None)
+    known = [mesh.ringing(u[part], v[part]) for mesh, part in zip(meshes, parts, strict=True)]
+    reaches = [reach(energy, body.face_compliance) for (_, energy), body in zip(known, bodies, strict=True)]
+    return float(known[1][0] - known[0][0] - sum(reaches))
+
+
+def _nodal_course(scene, meshes, whole, law, plan, record, steps, end, diverged) -> Course:
     """Histories and fields of a march over nodes."""
     rows = steps // plan.stride + 1
     u, v = record.displacement[:rows], record.velocity[:rows]
@@ -186,7 +204,7 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
         momenta=(float(v[-1, parts[0]] @ meshes[0].weights), float(pushed[-1])),
         resolved_time=max(mesh.resolved_time for mesh in meshes),
         shortest_period=min(mesh.shortest_period for mesh in meshes if mesh.rings),
-        parted=parted,
+        end=end,
         diverged=diverged,
     )
 

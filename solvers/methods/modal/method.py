@@ -19,6 +19,7 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..estimates import with_error
 from ..options import option, whole, word
+from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
 from .estimate import MIN_STEPS_PER_CONTACT, MOST_MODES, STEPS_OF_FIRST_CONTACT, error_of_modes, steps_of_a_contact
 from .frames import frame_figures, pivot_figures
@@ -108,7 +109,13 @@ class Modal(Method):
     def _later_figures(self, scene: Scene, motion: ModalMotion, contacts: list, wall_time: float) -> dict[str, Any]:
         """Figures worked out when they are read; the error, which takes other solves, with the diagnostics alone."""
         found = later(lambda: self._figures(scene, motion, contacts, wall_time))
-        return with_error(found, lambda: self._estimated_error(scene, motion) if self.estimate else None)
+        return with_error(found, lambda: self._error(scene, motion))
+
+    def _error(self, scene: Scene, motion: ModalMotion) -> float | None:
+        error = self._estimated_error(scene, motion) if self.estimate else None
+        if error is None or motion.end is not End.MAY_TOUCH:
+            return error
+        return max(error, may_gain(scene, self._figures(scene, motion, motion.contacts(), 0.0), motion.end))
 
     def _figures(self, scene: Scene, motion: ModalMotion, contacts: list, wall_time: float) -> dict[str, Any]:
         found = summary(scene, motion, contacts, motion.duration, wall_time)
@@ -130,10 +137,13 @@ class Modal(Method):
 
     def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list) -> list[Note]:
         notes, raw = [], len(motion.raw_contacts()[0])
-        if not asked and self.steps is None and not motion.parted:  # a given number divides a time that is long enough
+        # a given number of steps divides a time that is long enough
+        if not asked and self.steps is None and motion.end is End.FOLLOWED:
             notes.append(cut_short(motion.steps, "steps"))
         elif contacts[-1].end >= motion.duration * (1.0 - 1e-12):
             notes.append(STILL_TOUCHING)
+        elif motion.end is End.MAY_TOUCH:
+            notes.append(MAY_TOUCH_AGAIN)
         period = motion.pair.resolved_time
         notes += [note for body in bodies_that_bend(scene) for note in body.notes_on_modes(self.modes)]
         if scene.rigid_contact:
@@ -280,7 +290,7 @@ def default_step(scene: Scene, pair: Pair) -> float:
 
 
 def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMotion:
-    """March `count` steps, or whole periods of the bodies until one has passed without a touch and none can come."""
+    """March `count` steps, or whole periods until the bodies have parted for good: see `methods.parting`."""
     law, spring = _contact(scene, pair, step)
     slowest = [2.0 * math.pi / modes.frequencies[0] for modes in (pair.impactor, pair.target) if modes.frequencies.size]
     period, size = max(slowest, default=scene.time_unit), pair.frequencies.size
@@ -291,7 +301,8 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
     record = _record(chunk, stride, size)
     record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
     displacement, velocity = np.zeros(size), np.zeros(size)
-    done, parted = 0, False
+    done, touched, how = 0, 0, End.FOLLOWED
+    alike, longest = moves_alike(scene), patience(scene)
     while done < most:
         until = min(done + chunk, most)
         if until > record.contact_force.size:
@@ -302,16 +313,20 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
         )  # fmt: skip
         apart = not record.contact_force[done:until].any()
         done = until
-        if count is None and apart and record.rigid_velocity[done] > record.velocity[done]:
-            # two bodies that ring may meet again when both bulge out at once, until they are too far apart for that
-            bulge = np.hypot(displacement, velocity).sum() + spring.compliance * abs(record.spring_force[done])
-            if len(slowest) == 2 and record.rigid_position[done] - record.position[done] < bulge:
+        if not apart:
+            touched = done
+        elif count is None and record.rigid_velocity[done] > record.velocity[done]:
+            swings = np.hypot(displacement, velocity).sum() + spring.compliance * abs(record.spring_force[done])
+            if alike or record.rigid_position[done] - record.position[done] > swings:
+                how = End.PARTED
+            elif (done - touched) * step >= longest:
+                how = End.MAY_TOUCH
+            else:
                 continue
-            parted = True
             last = last_touch(scene, record.contact_force[:done])
             done = min(done, last + math.ceil(AFTERGLOW * scene.time_unit / step))
             break
-    return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), parted)
+    return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), how)
 
 
 def _contact(scene: Scene, pair: Pair, step: float) -> tuple[Any, Residual]:
@@ -338,7 +353,7 @@ def again(motion: ModalMotion, scene: Scene, record: Record | None = None) -> tu
         law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, -scene.target.acceleration,
         -scene.target.jerk, step, pair.bank(step), displacement, velocity, stride, 0, motion.steps, record,
     )  # fmt: skip
-    return ModalMotion(scene, pair, step, stride, record, False), record
+    return ModalMotion(scene, pair, step, stride, record, End.FOLLOWED), record
 
 
 def _record(steps: int, stride: int, modes: int) -> Record:

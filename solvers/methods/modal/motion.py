@@ -14,6 +14,7 @@ from ...solution.motion import TargetState
 from ...solution.sampled_motion import given_up, growth
 from ...solution.solution import ContactPeriod
 from ...validation import SceneError, allowed
+from ..parting import End
 from .pair import Pair
 
 
@@ -27,9 +28,9 @@ class ModalMotion:
     A beam that turns as it moves has one coordinate for both, the place where it is struck: the record holds that.
     """
 
-    def __init__(self, scene: Scene, pair: Pair, step: float, stride: int, record: Record, parted: bool):
+    def __init__(self, scene: Scene, pair: Pair, step: float, stride: int, record: Record, end: End):
         self.scene, self.pair, self.step, self.stride, self.record = scene, pair, step, stride, record
-        self.parted, self.target_modes = parted, pair.target
+        self.end, self.target_modes = end, pair.target
         self.steps = record.contact_force.size
         self.duration = self.steps * step
         self._instants = np.arange(self.steps + 1) * step
@@ -307,7 +308,8 @@ class ModalMotion:
         if not every:
             pressed = self.record.contact_force, self._impulses
             opening = modal_contacts.least_opening(compliance, self.step, window, *pressed)
-        return modal_contacts.Resolved(self.step, window, opening, every, self.scene.rigid_contact, self.parted)
+        parted = self.end is not End.FOLLOWED
+        return modal_contacts.Resolved(self.step, window, opening, every, self.scene.rigid_contact, parted)
 
     def _asked(self) -> tuple[Any, np.ndarray, np.ndarray]:
         """The contact law as kernels of contacts take it."""

@@ -37,6 +37,7 @@ USUAL_PERIODS, USUAL_STEPS = 2.0, 3_000  # of the slowest vibration, of flexible
 # approach, which is little beside what the modes leave out.
 STEPS_PER_VIBRATION = 12
 MIN_STEPS_PER_VIBRATION = 6  # with fewer the fastest ones are slower than they are
+LEAST_TURN = 1e-9  # [rad] of links; less is rounding of what only slides
 MAX_SLOPE = 0.1  # of bent links; what is left out is of its square
 MOST_STEPS_OF_FLEXIBLE = 300_000  # which take a minute; more must be asked for
 MAX_INSTANTS = 50_000  # that are kept, besides impacts
@@ -230,7 +231,7 @@ class Multibody(Method):
         if not scene.rigid_contact:
             if self.restitution != Multibody.restitution:
                 found.append(Note("law-without-restitution", Severity.WARNING, restitution=self.restitution))
-            found.append(_turning_note(motion, contacts))
+            found += _turning_notes(motion, contacts)
         return found + _notes_on_misses(motion) + self._notes_on_bending(motion)
 
     def _notes_on_bending(self, motion: MovingMotion) -> list[Note]:
@@ -288,16 +289,19 @@ def _notes_on_misses(motion: MovingMotion) -> list[Note]:
     return [Note("passes-link", severity, **values, body=impactor.kind, endwise=endwise)]
 
 
-def _turning_note(motion: MovingMotion, contacts: list[ContactPeriod]) -> Note:
-    """How far the mechanism turns in any contact, and what the first would be off by if it did not."""
+def _turning_notes(motion: MovingMotion, contacts: list[ContactPeriod]) -> list[Note]:
+    """How far the mechanism turns in any contact, and what the first would be off by if it did not; nothing of one
+    that only slides."""
     angles = motion.centres[:, 2::3]
     ends = np.searchsorted(motion.time, [(contact.start, contact.end) for contact in contacts]).tolist()
     turned = np.array([np.abs(angles[first : last + 1] - angles[first]).max(axis=0) for first, last in ends])
+    if turned.max() < LEAST_TURN:
+        return []
     link = int(turned.max(axis=0).argmax())
     first, angle = contacts[0], float(turned[0].max())
     error = freezing_error(motion.scene, first.end - first.start, first.impulse, angle)
     values = {"link": motion.mechanism.links[link].name, "angle": math.degrees(turned.max()), "error": 100.0 * error}
-    return Note("configuration-followed", Severity.REMARK, **values)
+    return [Note("configuration-followed", Severity.REMARK, **values)]
 
 
 class _Followed(NamedTuple):

@@ -39,7 +39,7 @@ class ExactHistory(ChainHistory):
         """
         super().__init__(given)
         self.tolerances = tolerance, instead_of
-        self.asked, self.faded = math.isfinite(until), False
+        self.asked, self.faded, self.doubtful = math.isfinite(until), False, False
         most = MAX_STRETCHES // len(self.laws)
         capacity = min(STRETCHES, most)
         while True:
@@ -55,8 +55,9 @@ class ExactHistory(ChainHistory):
         self.reach = float(self.state.time.min())
         self.steps = int(self.record.count.sum())
         self.contacts = self.periods(self.contact)
-        self.gave_up = status in (wave_network.FULL, wave_network.FAILED)
-        self.cut = self.gave_up or (status == wave_network.STOPPED and not self.asked and not self.faded)
+        self.gave_up = status in (wave_network.FULL, wave_network.FAILED) and not self.doubtful
+        ended = self.asked or self.faded or self.doubtful
+        self.cut = self.gave_up or (status == wave_network.STOPPED and not ended)
         self.error = max(tolerance, MILLIONTH if self.faded else 0.0)
         self.touching = bool(self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12))
 
@@ -66,7 +67,7 @@ class ExactHistory(ChainHistory):
         laws = law_function(struck), law_function(joints)
         of_law = constants, self.given.plastic, self.given.lossy, self.given.pulse, self.given.masses
         rooms = self.record, self.state, new_work()
-        status, self.faded = follow(self.chain, *rooms, *laws, of_law, until, MAX_ROUND_TRIPS, tolerance)
+        status, self.faded, self.doubtful = follow(self.chain, *rooms, *laws, of_law, until, MAX_ROUND_TRIPS, tolerance)
         return status
 
     def _needed(self, until: float) -> float:

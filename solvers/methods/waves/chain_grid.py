@@ -10,6 +10,7 @@ from ...numerics.waves import grid as wave_grid
 from ...numerics.waves.events import NO_PULL
 from ...numerics.waves.followed import MILLIONTH
 from ...numerics.waves.network import separate
+from ...numerics.waves.parted import alike, patience
 from ...numerics.waves.parts import ABSORBING, BONDED, RIGID_FACES, Chain
 from ...numerics.waves.periods import ROUNDING
 from ...numerics.waves.record import (
@@ -28,6 +29,7 @@ from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
 from .chain_scene import UNKNOWN, ChainHistory, ChainScene
+from .grid_parted import clear
 
 NODE_STEPS = 2_000_000  # of all nodes together: some tenths of a second, 80 MB
 PARTING_CHECKS = 40  # over the time followed, whether the bodies have parted; more cost time, fewer a longer tail
@@ -48,7 +50,7 @@ class GridHistory(ChainHistory):
         horizon [T]: how far to look for that at first; share: of the steps that are affordable; trials: see `TRIALS`.
         """
         super().__init__(given)
-        self.asked, self.share, self.trials = math.isfinite(until), share, trials
+        self.asked, self.share, self.trials, self.doubtful = math.isfinite(until), share, trials, False
         limit = min(until, MAX_ROUND_TRIPS)
         self.reach, self.parted, self.faded = min(limit, horizon), False, False
         while True:
@@ -91,12 +93,16 @@ class GridHistory(ChainHistory):
         self._integrals.clear()
 
     def _has_parted(self, last: int) -> bool:
-        """Whether the impactor has been apart for a while, and for good."""
-        wait = math.ceil(2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip / self.step)
-        if last < wait or self.force[self.contact, last - wait : last].any():
+        """Whether the impactor has been apart for a while, and for good: see `numerics.parting`."""
+        wait, longest = patience(self.chain)
+        quiet = last - 1 - int(np.flatnonzero(self.force[self.contact, :last])[-1])
+        if quiet * self.step < wait:
             return False
         through = self.step * self.force[:, :last].sum(axis=1)
-        self.parted = separate(self.chain, self.given.masses, through, NO_PULL)
+        apart = separate(self.chain, self.given.masses, through, NO_PULL)
+        sure = apart and (alike(self.chain) or clear(self, last))
+        self.parted = sure or (apart and quiet * self.step >= longest)
+        self.doubtful = self.parted and not sure and self.chain.kind[-1] != ABSORBING
         return self.parted
 
     def _has_faded(self, last: int) -> bool:

@@ -19,6 +19,7 @@ from ...scene import Scene
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
+from ..parting import MAY_TOUCH_AGAIN
 from ..validity import MAX_TRUSTED_ERROR, NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
 
 NO_LAW = Linear(1.0)  # where no law is asked for
@@ -175,6 +176,7 @@ class ChainHistory(ABC):
     contacts: list[ContactPeriod]
     touching: bool
     faded: bool  # before a rod without end: nothing is left to come
+    doubtful: bool  # the bodies have moved apart, but may touch again
 
     def __init__(self, given: ChainScene):
         self.given, self.scene, self.chain = given, given.scene, given.chain
@@ -192,6 +194,8 @@ class ChainHistory(ABC):
             found.append(Note("sensitive-chain", Severity.INVALID, error=self.error))
         if self.faded:
             return [*found, NEVER_PART if self.touching else TOUCH_ON]
+        if self.doubtful:
+            return [*found, MAY_TOUCH_AGAIN]
         return found + end_notes(not self.cut, self.touching, False)
 
     @abstractmethod

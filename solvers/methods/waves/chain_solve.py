@@ -48,7 +48,8 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
     grid = GridHistory(given, until, horizon)
     shown = grid.contacts[-1].end / given.trip + AFTERGLOW
     if grid.parted and shown < grid.reach:  # known by now to be all that is of interest: finer
-        grid = GridHistory(given, shown, shown)
+        doubtful, grid = grid.doubtful, GridHistory(given, shown, shown)
+        grid.doubtful = doubtful
     rough = GridHistory(given, grid.reach, grid.reach, COARSER, trials=1)
     grid.error = max(grid.error, SURE * _difference(grid, rough))
     return grid if coarse is None or (grid.error < coarse.error and not grid.cut) else coarse

@@ -16,6 +16,7 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..grazing import one_front
 from ..options import option, real, whole
+from ..parting import End, may_gain
 from ..validity import MAX_TRUSTED_ERROR
 from .chain_motion import ChainMotion
 from .chain_solve import follow
@@ -135,6 +136,8 @@ class Waves(Method):
         diagnostics["estimated_error"] = history.estimated_error(
             residual, abs(diagnostics["momentum_error"]), tolerance
         )
+        if history.doubtful:
+            diagnostics["estimated_error"] += may_gain(scene, found, End.MAY_TOUCH)
         return Solution(
             scene=scene,
             method=self.table(),

@@ -87,6 +87,17 @@ class Mesh(NamedTuple):
         momenta = rates @ inertia.T
         return 0.5 * (momenta * np.linalg.solve(inertia @ self.free.T, momenta.T).T).sum(1)
 
+    def ringing(self, u: np.ndarray, v: np.ndarray) -> tuple[float, float]:
+        """How far it has moved as a whole where it is struck [m], and the energy of all else [J], from displacements
+        and rates (unknowns,).
+        """
+        energy = 0.5 * float(v @ banded.times(self.mass, v) + u @ banded.times(self.stiffness, u))
+        if not self.free.size:
+            return 0.0, energy
+        inertia = banded.times(self.mass, self.free)
+        moved = np.linalg.solve(inertia @ self.free.T, inertia @ u) @ self.free[:, self.struck]
+        return float(moved), energy - float(self.rigid_energy(v[None, :])[0])
+
     @property
     def rigid_mass(self) -> float:
         """What an impact feels of the body's motion as a whole [kg]; infinite if it is held."""

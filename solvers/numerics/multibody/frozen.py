@@ -253,14 +253,15 @@ class Frozen:
         load = (self.closing - self.system.mass @ self.whole / self.rigid_mass)[rigid]
         return np.multiply.outer(impulse, np.linalg.pinv(self.jacobian[:, rigid].T) @ load)
 
-    def over_time(self, impulse: float, rates: np.ndarray) -> np.ndarray:
-        """Impulses of the reactions, elastic forces and all, since the state before the impact, when the contact has
-        given `impulse` [N s] and the vibrations have `rates` (modes,)."""
+    def over_time(self, impulse: np.ndarray, rates: np.ndarray) -> np.ndarray:
+        """Impulses of the reactions (..., held constraints), elastic forces and all, since the state before the impact,
+        when the contact has given `impulse` (...) [N s] and the vibrations have `rates` (..., modes)."""
         frequencies, motions = self.vibrations
-        at_contact = self.closing @ motions
-        jump = motions @ rates + self.whole / self.rigid_mass * impulse
-        swung = motions @ ((at_contact * impulse - rates) / frequencies**2)
-        return self._reaction_to @ (self.closing * impulse - self.system.mass @ jump - self.system.stiffness * swung)
+        at_contact, given = self.closing @ motions, np.asarray(impulse)[..., None]
+        jump = rates @ motions.T + given * self.whole / self.rigid_mass
+        swung = ((at_contact * given - rates) / frequencies**2) @ motions.T
+        borne = given * self.closing - jump @ self.system.mass - swung * self.system.stiffness
+        return borne @ self._reaction_to.T
 
     def forces(self, force: np.ndarray, coordinates: np.ndarray) -> np.ndarray:
         """Reactions (times, held constraints) under a contact force (times,) and at modal coordinates (times, modes),

@@ -9,7 +9,8 @@ import numpy as np
 from ...jit.kernels import inner_kernel, kernel
 from ...jit.reference import refer
 from .drawn import NO_ROOM, SOLVED, instant, samples_of
-from .followed import first_energy, follow, inside, rod_energy
+from .energies import first_energy, inside, rod_energy
+from .followed import follow
 from .law_drawn import END as PARTING
 from .law_drawn import JUST_AFTER, LEFT, force_jumps, kept_history, sent_jumps
 from .law_drawn import PEAK as PEAK_OF
@@ -266,8 +267,8 @@ def answer(chain, record, state, work, law, of_law, ends, pressing, contacts, cl
     tolerance, most, afterglow, asked = ends
     masses, node = of_law[4], chain.contact
     until = asked if asked > 0.0 else np.inf
-    status, faded = follow(chain, record, state, work, law, law, of_law, until, most, tolerance)
-    if status != PARTED and not faded and not (status == STOPPED and asked > 0.0):
+    status, faded, doubtful = follow(chain, record, state, work, law, law, of_law, until, most, tolerance)
+    if doubtful or (status != PARTED and not faded and not (status == STOPPED and asked > 0.0)):
         return NO_ROOM
     own, remembers = of_law[0][node], of_law[1][node]
     gaps, latest = _closed(chain, record, law, of_law, work.slopes, pressing, closed)

@@ -4,56 +4,17 @@ import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
 from ...jit.reference import refer
+from .energies import first_energy, rod_energy
 from .events import NO_PULL
 from .laws import STORED
-from .network import FAILED, FULL, PARTED, separate, solve
-from .parts import ABSORBING, LAW, swings
-from .record import (
-    DEPTH,
-    FORCE,
-    OUT_LEFT,
-    OUT_RIGHT,
-    SPEED,
-    TOTAL_LEFT,
-    TOTAL_RIGHT,
-    highest,
-    pushed,
-    sample_at,
-    square_integral,
-)
+from .network import FAILED, FULL, PARTED, STOPPED, separate, solve
+from .parted import alike, clear, patience
+from .parts import ABSORBING, LAW
+from .record import DEPTH, FORCE, SPEED, highest, pushed, sample_at
 
 MILLIONTH = 1e-6  # of v: on a rod without end, where a force fades for ever, less is left to be
 LOOKS_LATER = 1.5  # times as late, each time that something is left
-
-
-@inner_kernel
-def inside(chain, record, rod, t):
-    """Momentum that the waves in a rod carry, (4.29)."""
-    lag, after = chain.transit[rod], np.bool_(True)
-    right = sample_at(record, rod, TOTAL_RIGHT, t, after) - sample_at(record, rod, TOTAL_RIGHT, t - lag, after)
-    left = sample_at(record, rod + 1, TOTAL_LEFT, t, after) - sample_at(record, rod + 1, TOTAL_LEFT, t - lag, after)
-    return right - left
-
-
-@inner_kernel
-def rod_energy(chain, record, rod, t):
-    """Kinetic and strain energy of a rod, without what is fixed to its end, at a time."""
-    lag, z, drift = chain.transit[rod], chain.impedance[rod], chain.drift[rod]
-    held = square_integral(record, rod, OUT_RIGHT, max(t - lag, 0.0), t)
-    held += square_integral(record, rod + 1, OUT_LEFT, max(t - lag, 0.0), t)
-    return 0.5 * z * lag * drift**2 + drift * inside(chain, record, rod, t) + held / z
-
-
-@inner_kernel
-def first_energy(chain):
-    """Of rods and masses before the impact."""
-    energy = 0.0
-    for rod in range(chain.transit.size):
-        energy += 0.5 * chain.impedance[rod] * chain.transit[rod] * chain.drift[rod] ** 2
-    for node in range(chain.kind.size):
-        mass = chain.mass_left[node] + chain.mass_right[node]
-        energy += 0.5 * mass * chain.mass_drift[node] ** 2 if mass < np.inf else 0.0
-    return energy
+LOOKS_AGAIN = 0.25  # of the time for which bodies have been apart: so much later, whether they are clear of each other
 
 
 @inner_kernel
@@ -85,36 +46,64 @@ def _fading(chain, masses):
     return 2.0 * chain.impedance.size + 14.0 * masses[-1] / slowest
 
 
+@inner_kernel
+def _reached(state):
+    """The time that all nodes have come to."""
+    reach = np.inf
+    for t in state.time:
+        reach = min(reach, t)
+    return reach
+
+
+@inner_kernel
+def _to_parting(chain, record, state, work, contact, joint, of_law, limit, tolerance):
+    """Until the impactor has parted for good, at most to `limit`: see `numerics.parting`. Returns the status, and
+    whether it may touch again."""
+    wait, longest = patience(chain)
+    doubtful = False
+    while True:
+        status = solve(chain, record, state, work, contact, joint, *of_law, wait, NO_PULL, limit, tolerance)
+        if status != PARTED:
+            return status, doubtful and state.parting[0] < np.inf
+        if alike(chain) or clear(chain, record, of_law[4][-1], _reached(state)):
+            return status, False
+        apart = state.time[chain.contact] - state.parting[0]
+        if apart >= longest:
+            return status, True
+        stop, doubtful = min(state.time[chain.contact] + LOOKS_AGAIN * apart, limit), True
+        status = solve(chain, record, state, work, contact, joint, *of_law, np.inf, NO_PULL, stop, tolerance)
+        if status != STOPPED:
+            return status, state.parting[0] < np.inf
+
+
 @kernel
 def follow(chain, record, state, work, contact, joint, of_law, until, most, tolerance):
     """Follow a chain up to `until`, or if that is infinite until the impactor has parted for good, at most to `most`.
 
     The others as `network.solve` takes them; of_law: (constants, remembers, loses, pulse, masses). Before a rod without
-    end it is looked at now and then whether anything is left. Returns the status, and whether nothing is.
+    end it is looked at now and then whether anything is left. Returns the status, whether nothing is, and whether who
+    has parted may touch again.
     """
     chain, record, state, work = refer(chain), refer(record), refer(state), refer(work)
     asked, masses = until < np.inf, of_law[4]
     endless = not asked and chain.kind[-1] == ABSORBING
-    wait = np.inf
-    if not asked:
-        wait = 2.0 * np.pi / np.sqrt(swings(chain, chain.kind.size - 1)) if chain.spring > 0.0 else 0.0
-        for lag in chain.transit:
-            wait += 4.0 * lag
     limit = min(until, most)
-    stop = min(_fading(chain, masses), limit) if endless else limit
-    creep = MILLIONTH if endless else NO_PULL
+    if asked:
+        status = solve(chain, record, state, work, contact, joint, *of_law, np.inf, NO_PULL, limit, tolerance)
+        return status, False, False
+    if not endless:
+        status, doubtful = _to_parting(chain, record, state, work, contact, joint, of_law, limit, tolerance)
+        return status, False, doubtful
+    wait, stop = patience(chain)[1], min(_fading(chain, masses), limit)
     while True:
-        status = solve(chain, record, state, work, contact, joint, *of_law, wait, creep, stop, tolerance)
-        if not endless or status in (FULL, FAILED):
-            return status, False
+        status = solve(chain, record, state, work, contact, joint, *of_law, wait, MILLIONTH, stop, tolerance)
+        if status in (FULL, FAILED):
+            return status, False, False
         if status == PARTED:  # whether no part will ever catch up with the one before it, however slowly
             for node in range(chain.kind.size):
                 state.through[node] = pushed(record, node)
-            return status, not separate(chain, masses, state.through, NO_PULL)
-        reach = np.inf
-        for node in range(chain.kind.size):
-            reach = min(reach, state.time[node])
-        faded = _energy_left(chain, record, contact, joint, of_law[0], work.slopes, reach) < MILLIONTH**2
+            return status, not separate(chain, masses, state.through, NO_PULL), False
+        faded = _energy_left(chain, record, contact, joint, of_law[0], work.slopes, _reached(state)) < MILLIONTH**2
         if faded or stop >= limit:
-            return status, faded
+            return status, faded, False
         stop = min(LOOKS_LATER * stop, limit)

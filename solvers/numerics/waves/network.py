@@ -24,7 +24,7 @@ from .collocation import STAGES
 from .events import FAILS, NO_PULL, RETRIES, SMOOTH, face_events, law_events
 from .laws import CORNER, DENT, press, store
 from .nodes import add_break, finish, prepare, seen, share_of_error, simple_forces, tiny
-from .parts import LAW, PRESSED, RIGID_FACES, mobility, swings
+from .parts import LAW, PRESSED, RIGID_FACES, mobility, opens, swings
 from .record import FORCE, jumped, pushed
 
 FORESEEN = 0.1  # of the force that a rejected step shows: so large it will be
@@ -135,12 +135,6 @@ def _announce(chain, state, record, node, t, limit, changed, tolerance):
     return good
 
 
-@inner_kernel
-def _opens(chain, node):
-    """Whether faces meet at a node that can come apart."""
-    return chain.kind[node] == RIGID_FACES or chain.kind[node] == LAW
-
-
 @kernel
 def separate(chain, masses, pushed, creep):
     """Whether no part of the chain can catch up with the one before it, from the one furthest left on.
@@ -151,19 +145,19 @@ def separate(chain, masses, pushed, creep):
     """
     chain = refer(chain)
     node, last = 0, chain.kind.size - 1
-    while node < chain.contact and not _opens(chain, node):
+    while node < chain.contact and not opens(chain, node):
         node += 1
     slower = (chain.drift[0] if node > 0 else chain.mass_drift[0]) - pushed[node] / masses[-1]
     while True:
         following = node + 1
-        while following < last and not _opens(chain, following):
+        while following < last and not opens(chain, following):
             following += 1
-        passed = pushed[following] if following <= last and _opens(chain, following) else 0.0
+        passed = pushed[following] if following <= last and opens(chain, following) else 0.0
         drift = chain.drift[node] if node < last else chain.mass_drift[node]
         moving = drift + (pushed[node] - passed) / masses[node]
         if moving < slower - creep:
             return False
-        if following > last or not _opens(chain, following):
+        if following > last or not opens(chain, following):
             return True
         slower, node = moving, following
 

@@ -32,6 +32,12 @@ class Chain(NamedTuple):
 
 
 @inner_kernel
+def opens(chain, node):
+    """Whether faces meet at a node that can come apart."""
+    return chain.kind[node] == RIGID_FACES or chain.kind[node] == LAW
+
+
+@inner_kernel
 def swings(chain, node):
     """Square of the frequency with which the mass beside a node swings on its spring; 0 where none does."""
     return chain.spring / chain.mass_right[node] if chain.spring > 0.0 and node == chain.kind.size - 1 else 0.0

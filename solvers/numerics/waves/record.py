@@ -82,6 +82,22 @@ def square_integral(record, node, quantity, begin, end):
     return total
 
 
+@inner_kernel
+def integral(record, node, quantity, end):
+    """Of what is kept of a node, from the beginning to a time that it has come to."""
+    total = 0.0
+    for n in range(record.count[node]):
+        begin = record.start[node, n]
+        if begin >= end:
+            break
+        width = record.start[node, n + 1] - begin
+        known = min(end - begin, width)
+        for i in range(STAGES):
+            value = interpolate(record.values[node, n, quantity], STAGE_NODES[i] * known / width)
+            total += INTEGRATE[STAGES - 1, i] * known * value
+    return total
+
+
 @kernel
 def highest(record, node, quantity, first, last):
     """The largest value in the stretches first to last of a node, by golden section between the samples."""

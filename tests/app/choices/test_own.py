@@ -1,16 +1,19 @@
 """Scenes of visitors' own: the same as built-in ones, refused by line and key, and bounded."""
 
-import base64
-import zlib
-
 import pytest
 
+from app.choices import built_in
+from app.choices.built_in import base_of
 from app.choices.choices import SCENES, SOLVED_BY, Choices, accepts, refusal, strikes
-from app.choices.own import LONGEST, LONGEST_TEXT, line_of, own_scene
-from app.choices.scene_of import own_choices
+from app.choices.mechanism import mechanism_changes
+from app.choices.own import KEPT, LONGEST, LONGEST_TEXT, check_modes, line_of, own_scene
+from app.choices.scene_of import acting_choices, chosen_scene, kind_name, own_choices
 from app.messages.solve import solve_frame
 from app.page.address import from_address
+from app.text.refusals import Refused
+from solvers import Mechanism
 from solvers.scenes.library import SCENES as FOLDER
+from tests.app.strangers import dotted, linkage, named
 
 ROD = """\
 title = "Mine"
@@ -30,13 +33,6 @@ support = "fixed"
 [contact]
 law = "rigid"
 """
-
-
-def named(text: str | bytes) -> str:
-    """As app/static/wire/own.js does."""
-    packer = zlib.compressobj(9, wbits=-zlib.MAX_WBITS)
-    packed = packer.compress(text if isinstance(text, bytes) else text.encode()) + packer.flush()
-    return "own." + base64.urlsafe_b64encode(packed).decode().rstrip("=")
 
 
 def test_every_built_in_scene_is_the_same_as_ones_own():
@@ -113,6 +109,54 @@ def test_a_key_of_thousands_of_parts_costs_nothing():
     """What reads TOML keeps each beginning of a key: 400 MB of this one, whose name has 60 letters."""
     name = named("a" + ".a" * 9_000 + " = 1")
     assert not accepts("scene", name) and refusal("scene", name).note.code == "refused.own-line"
+
+
+@pytest.mark.parametrize(
+    "table, key, refused", [(10, 10, False), (10, 11, True), (1, 19, False), (400, 1, True), (1, 400, True)]
+)
+def test_parts_of_a_key_count_with_those_of_its_table(table, key, refused):
+    """Of 195 letters it was 0.3 s."""
+    name = named(dotted(table, key))
+    assert not accepts("scene", name)
+    assert (refusal("scene", name).note.code == "refused.own-line") is refused
+
+
+def test_points_of_numbers_and_sentences_are_none_of_keys():
+    """Rows of numbers, and texts of many sentences, are of honest scenes."""
+    rows = "weights = [" + ", ".join(["[0.5, 1.25]"] * 30) + "]\n"
+    name = named(ROD.replace("[impactor]", 'note = "' + "One. two.three. " * 30 + '"\n' + rows + "[impactor]"))
+    assert refusal("scene", name).note.code == "refused.own-scene"  # for the key, which no scene has
+
+
+@pytest.mark.parametrize("links, modes, more", [(13, 50, ""), (50, 200, ""), (10, 0, "axial = 200\n")])
+def test_modes_of_all_links_are_bounded_before_anything_is_assembled(monkeypatch, links, modes, more):
+    """50 links of 200 modes took 442 s and 6.6 GB."""
+    monkeypatch.setattr(Mechanism, "read", None)
+    name = named(linkage(links, modes, more))
+    assert not accepts("scene", name) and refusal("scene", name).note.code == "refused.modes"
+
+
+def test_a_slider_sets_no_more_modes_than_a_scene_may_have():
+    name = named(linkage(20, 2))
+    chosen = own_choices(name)
+    assert chosen_scene(chosen | {"modes": 30}).target.most_modes == 30
+    with pytest.raises(Refused) as refused:
+        chosen_scene(chosen | {"modes": 31})
+    assert refused.value.note.code == "refused.modes"
+
+
+def test_every_built_in_mechanism_takes_its_slider_to_the_end():
+    for name in FOLDER.glob("*.toml"):
+        chosen = own_choices(name.stem)
+        if kind_name(name.stem) == "mechanism" and "modes" in acting_choices(chosen):
+            check_modes({"target": mechanism_changes(base_of(name.stem), chosen | {"modes": 200})["target"]})
+
+
+def test_few_scenes_of_visitors_are_kept():
+    """512 of them were, of up to 16 MB each."""
+    for number in range(20):
+        base_of(named(ROD.replace("0.5", f"0.5{number}1")), "target.length=0.7")
+    assert own_scene.cache_info().currsize <= KEPT and built_in._of_visitor.cache_info().currsize <= 2 * KEPT
 
 
 def test_an_address_brings_one_with_what_is_changed_in_it():

@@ -4,7 +4,7 @@ from dataclasses import FrozenInstanceError
 
 import pytest
 
-from app.choices.choices import Choices, accepts
+from app.choices.choices import SCENES, Choices, accepts
 from app.choices.request import Request
 from app.choices.scene_of import choices_of
 from app.text.catalogues import page
@@ -89,3 +89,23 @@ def test_modes_of_a_frame_are_asked_for_in_three_steps():
     framed = request("free-rod", method="modal", floating_frame="attached")
     clamped = framed.opening().table()["compare"][0]
     assert (clamped["question"], clamped["between"], clamped["second"]) == ("clamped", ({"modes": 10},), {"modes": 30})
+
+
+@pytest.mark.parametrize(
+    "scene, more",
+    [
+        ("fixed-rod", {"mass_ratio": 2.0}),
+        ("hammer-on-cantilever", {"bodies": "target.section.width=0.05"}),
+        ("two-balls", {"speed": 2.0}),
+        ("four-bar", {"speed": 2.0}),
+        ("brick-off-centre", {"friction": 0.4}),
+        ("split-hopkinson", {"bodies": "target.rods.2.length=0.1"}),
+    ],
+)
+def test_an_impact_is_changed_by_its_bodies_and_contact_not_by_how_it_is_solved(scene, more):
+    assert not request(scene).changed and not request(scene, modes=7, elements=12).changed
+    assert request(scene, **more).changed
+
+
+def test_no_scene_is_changed_as_it_comes():
+    assert [name for name in SCENES if request(name).changed] == []

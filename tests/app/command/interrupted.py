@@ -4,6 +4,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from ...patience import SECONDS
+
 RUNS = 20  # that have begun by then
 ALONE = f"""
 import os, signal, sys
@@ -33,5 +35,5 @@ sys.exit(main(sys.argv[1:]))
 def interrupted(*words: str) -> tuple[int, str, str]:
     """Its exit code, and what it wrote on standard output and standard error."""
     call = [sys.executable, "-c", ALONE, *words]
-    done = subprocess.run(call, cwd=Path(__file__).parents[3], capture_output=True, text=True, timeout=120)
+    done = subprocess.run(call, cwd=Path(__file__).parents[3], capture_output=True, text=True, timeout=SECONDS)
     return done.returncode, done.stdout, done.stderr

@@ -11,6 +11,7 @@ import solvers
 from solvers.accuracy.quantities import QUANTITIES
 from solvers.text.catalogue import CHOSEN
 
+from ...patience import SECONDS
 from ..pseudo import BARE, LANGUAGE
 from ..servers import ROOT
 
@@ -79,7 +80,7 @@ DOTTED = re.compile(r"(?<!=)\b\d+\.\d")  # a number as English has it, but for v
 def test_no_word_of_the_command_is_outside_its_catalogues():
     call = [sys.executable, "-c", SAID]
     environment = os.environ | {CHOSEN: LANGUAGE}
-    done = subprocess.run(call, input=CALLS, capture_output=True, text=True, timeout=120, cwd=ROOT, env=environment)
+    done = subprocess.run(call, input=CALLS, capture_output=True, text=True, timeout=SECONDS, cwd=ROOT, env=environment)
     said = done.stdout + done.stderr
     table = solvers.stored_tradeoff("fixed-rod")
     assert table is not None and said.count("⟦") > 100

@@ -1,6 +1,7 @@
 """The command `impact lesson`: errors by line and an exit code, and a file to begin with."""
 
 import json
+import re
 
 import pytest
 
@@ -67,6 +68,72 @@ def test_a_new_lesson_passes_its_check_and_is_never_overwritten(capsys, tmp_path
         assert "allowed: a file that is not there yet" in refusal(capsys, "lesson", "new", file)
         assert (tmp_path / file).read_bytes() == before
     assert "lesson: my-own\n" in (tmp_path / "my-own.md").read_text("utf-8")
+
+
+def test_a_lesson_for_paper_and_its_key(capsys):
+    file = str(FOLDER / "bounce-twice.md")
+    paper, key = answer(capsys, "lesson", "print", file), answer(capsys, "lesson", "print", file, "--key")
+    assert paper.startswith("# What comes after the bounce?\n\nName: ____") and paper.count("\n## ") == 5
+    for asked in (
+        "- [ ] A second contact\n",
+        "____ s / ms / µs\n",
+        "____ Mass and rod touch\n",
+        "Mass ratio, from 0.34 to 10 (at the start: 0.8): ____",
+        "Draw it from 0 to 2.6 T, in kN, from 0 to 120.",
+    ):
+        assert asked in paper
+    assert not any(told in paper for told in ("116", "Yes: a wave", "bounce twice", "One contact.", "In your line"))
+    assert "# Key: Why does it bounce twice?" in key and "**116.4 µs** (± 2.3 µs)" in key
+    assert "**✓** A second contact: Yes: a wave" in key and "- 58.19 µs: After this time" in key
+    assert "**Mass ratio from 1.02 to 10**: One contact." in key and "1. Mass and rod touch\n2. The front" in key
+
+
+def test_a_lesson_on_paper_is_in_its_own_language(capsys):
+    paper = answer(capsys, "lesson", "print", str(FOLDER / "what-an-impact-is.es.md"), "--key")
+    assert "# Soluciones: Qué es un impacto" in paper and "**0,4467 N s**" in paper
+
+
+def test_the_key_of_a_slider_without_ranges_says_where_it_is(capsys, tmp_path):
+    text = (FOLDER / "bounce-twice.md").read_text("utf-8")
+    whole = text.replace("range = [1.02, 10]\n", "").replace("range = [0.34, 0.57]\n", "")
+    (tmp_path / "bounce-twice.md").write_text(whole, encoding="utf-8")
+    key = answer(capsys, "lesson", "print", str(tmp_path / "bounce-twice.md"), "--key")
+    (line,) = [line for line in key.splitlines() if "A light mass leaves" in line]
+    low, high = re.findall(r"from ([\d.]+) to ([\d.]+)", line)
+    assert (
+        float(low[0]) == 0.34 and 0.5 < float(low[1]) < 0.58 and 1.0 < float(high[0]) < 1.1 and float(high[1]) == 10.0
+    )
+
+
+def test_a_lesson_with_errors_is_not_printed(capsys, wrong):
+    assert main(["lesson", "print", wrong]) == 1
+    assert [line.split(": ")[0] for line in capsys.readouterr().out.splitlines()] == [f"{wrong}:3", f"{wrong}:9"]
+
+
+def test_a_new_lesson_is_in_the_language_that_is_spoken_and_of_a_scene(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("IMPACT_LANGUAGE", "es")
+    answer(capsys, "lesson", "new", "caida.md", "--scene", "drop-test")
+    written = (tmp_path / "caida.md").read_text("utf-8")
+    assert "language: es\n" in written and "scene: drop-test" in written and "## ¿Qué pasará?" in written
+    assert answer(capsys, "lesson", "check", "caida.md") == "caida.md: sin errores, 4 pasos\n"
+    assert "--scene" in refusal(capsys, "lesson", "new", "other.md", "--scene", "drop")
+    assert not (tmp_path / "other.md").exists()
+
+
+@pytest.mark.parametrize("name", ["bounce-twice", "a-ball-with-spin"])
+def test_a_translation_to_begin_with_lacks_nothing(capsys, tmp_path, name):
+    file = tmp_path / f"{name}.md"
+    file.write_text((FOLDER / file.name).read_text("utf-8"), encoding="utf-8")
+    made = tmp_path / f"{name}.pt-BR.md"
+    assert made.name in answer(capsys, "lesson", "new", str(file), "--translation", "pt-BR")
+    (line,) = answer(capsys, "lesson", "check", str(made)).splitlines()  # nothing is missing
+    assert "no errors" in line and "language: pt-BR\n" in made.read_text("utf-8")
+    assert "answer" not in made.read_text("utf-8").replace("answers", "")
+    assert "FILE: got" in refusal(capsys, "lesson", "new", str(file), "--translation", "pt-BR")
+    assert "--translation: got" in refusal(capsys, "lesson", "new", str(file), "--translation", "Spanish")
+    assert main(["lesson", "new", str(made), "--translation", "es"]) == 1
+    assert "is a translation itself" in capsys.readouterr().out
 
 
 def test_where_nothing_can_be_written(capsys, tmp_path):

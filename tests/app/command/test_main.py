@@ -14,6 +14,8 @@ import solvers
 from app.command.main import main
 from tests.app.command.calls import answer, refusal
 
+from ...patience import SECONDS
+
 
 def test_scenes(capsys):
     lines = answer(capsys, "scenes").splitlines()
@@ -86,7 +88,7 @@ def test_what_the_environment_sets_is_checked_too(capsys, monkeypatch):
 def test_the_installed_command(tmp_path):
     command = Path(sys.executable).with_name("impact")
     run = lambda *words: subprocess.run(  # noqa: E731
-        [command, *words], cwd=tmp_path, capture_output=True, text=True, timeout=120
+        [command, *words], cwd=tmp_path, capture_output=True, text=True, timeout=SECONDS
     )
     good = run("solve", "free-rod", "--json")
     assert (good.returncode, good.stderr) == (0, "")
@@ -100,6 +102,6 @@ def test_the_installed_command(tmp_path):
 def test_bytes_that_are_no_text_do_not_end_in_a_traceback(tmp_path):
     command = os.fsencode(Path(sys.executable).with_name("impact"))
     for words in ([b"solve", b"\xff\xfe"], [b"solve", b"fixed-rod", b"--set", b"title=\xff"]):
-        done = subprocess.run([command, *words], cwd=tmp_path, capture_output=True, timeout=120)
+        done = subprocess.run([command, *words], cwd=tmp_path, capture_output=True, timeout=SECONDS)
         assert b"Traceback" not in done.stderr
         assert done.returncode in (0, 2)

@@ -1,6 +1,7 @@
 """The command `impact sweep`."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -104,6 +105,21 @@ def test_a_method_that_cannot_solve_the_scene_says_so(capsys):
     )
     refusal(capsys, "sweep", "fixed-rod")
     refusal(capsys, "sweep", "no-such-scene", "--vary", "impactor.mass=1..2")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("sweep", "fixed-rod", "--vary", "impactor.mass=1..2", "--vary", "target.length=1..2"),
+        ("sweep", "fixed-rod", "--vary", "impactor.mass=1..2", "--vary=impactor.mass=1..2"),
+        ("solve", "fixed-rod", "--series", "a.csv", "--series", "b.csv"),
+        ("record", "x.csv", "--scene", "fixed-rod", "--sign", "1", "--sign", "-1"),
+        ("tradeoff", "fixed-rod", "--quantity", "rebound", "--quantity", "impulse"),
+    ],
+)  # fmt: skip
+def test_an_option_that_takes_one_value_is_not_given_twice(capsys, words):
+    """argparse would keep the last one."""
+    assert re.search(r"--\w+ is given twice, as \S+ and as \S+: it takes one value", refusal(capsys, *words))
 
 
 @pytest.mark.slow

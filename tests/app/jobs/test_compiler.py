@@ -61,6 +61,16 @@ def test_if_the_process_dies_nobody_waits_and_the_next_one_is_served(compiler):
     assert compiler._process.poll() is None
 
 
+def test_it_ends_when_nothing_is_asked_and_is_started_again(compiler, monkeypatch):
+    """It kept 638 MB for ever."""
+    monkeypatch.setattr(compiler_module, "IDLE_SECONDS", 0.5)
+    compiler.ask("solve_frame", IN_SPACE).result(120)
+    first = compiler._process
+    assert first.wait(60) == 0
+    compiler.ask("solve_frame", IN_SPACE).result(120)
+    assert compiler._process is not first
+
+
 def test_everything_that_can_be_opened_is_compiled_ahead():
     page = lab.Lab()
     runners = [page._runner, *page._runners.values()]

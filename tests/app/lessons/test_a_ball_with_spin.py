@@ -66,7 +66,7 @@ def test_answers():
     assert grips.answer == pytest.approx(sideways(), rel=1e-3)
     assert sideways() == pytest.approx(2.0 / 7.0 * stop, rel=1e-9)
     assert [each.answer for each in grips.mistakes] == pytest.approx(
-        [stop, stop * 0.4, solution.sliding[0].until, stop * 3.5], rel=1e-3
+        [stop, stop * 0.4, solution.sliding[0].until, stop * 3.5, -sideways()], rel=1e-3
     )
     assert rubbed.answer == pytest.approx(energy["friction"], rel=2e-3)
     assert energy["friction"] == pytest.approx(sideways() * slides() / 2.0, rel=1e-9)

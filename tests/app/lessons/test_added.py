@@ -1,6 +1,7 @@
 """Lessons of a server's own folder: behind those of the program, or refused by line before anything is served."""
 
 import json
+import os
 
 import pytest
 
@@ -89,3 +90,11 @@ def test_the_server_does_not_start_with_a_lesson_that_has_errors(folder, capsys,
 @pytest.mark.parametrize("given", ["", "nowhere", "a\0b"])
 def test_a_folder_without_lessons_is_refused(given, tmp_path, capsys):
     assert "a folder with lesson files" in refusal(capsys, "serve", "--lessons", str(tmp_path / given))
+
+
+def test_a_pipe_and_what_says_what_is_in_the_folder_are_none(folder):
+    """A pipe was waited for without end."""
+    os.mkfifo(folder / "pipe.md")
+    write(folder, "README.md", "Lessons of mine.")
+    (folder / "folder.md").mkdir()
+    assert add(folder) == [] and list(shipped.ADDED) == ["mine"]

@@ -13,6 +13,8 @@ from app.serving.pages import STATIC
 from app.text.catalogues import script
 from solvers.text.catalogue import SOURCE
 
+from ...patience import SECONDS
+
 READ = f"""
 import {{ readFileSync }} from 'node:fs';
 import {{ eventsOf, quantityOf }} from '{STATIC}/lesson/events.js';
@@ -50,7 +52,9 @@ def test_page_and_check_find_the_same(tmp_path, scene, choices):
     texts = tmp_path / "texts.mjs"
     texts.write_text(script(SOURCE), encoding="utf-8")
     call = ["node", f"--import={texts}", "--input-type=module", "--eval", READ]
-    found = json.loads(subprocess.run(call, input=asked, capture_output=True, text=True, check=True, timeout=60).stdout)
+    found = json.loads(
+        subprocess.run(call, input=asked, capture_output=True, text=True, check=True, timeout=SECONDS).stdout
+    )
     times = times_of(shown.solution)
     assert found["events"].keys() == times.keys() and "touch" in times
     for name, time in times.items():

@@ -38,8 +38,8 @@ def test_numbers(language):
     assert spring.contact_time == pytest.approx(slow_spring.contact_time, rel=1e-6)
     assert spring.peak_force == pytest.approx(2.0 * slow_spring.peak_force, rel=1e-4)
     values = {
-        "0.298": first.scene.impactor.mass, "1": first.scene.speed, "143": MICRO * first.contact_time,
-        "2": faster.scene.speed, "125": MICRO * faster.contact_time, "0.447": first.impulse, "3.12": mean(first),
+        "0.3": first.scene.impactor.mass, "1": first.scene.speed, "143": MICRO * first.contact_time,
+        "2": faster.scene.speed, "125": MICRO * faster.contact_time, "0.45": first.impulse, "3.1": mean(first),
         "0.87": shorter, "2.3": stronger, "5.7": KILO * first.peak_force, "13.2": KILO * faster.peak_force,
         "4.3": KILO * softer.peak_force, "7.6": KILO * heavier.peak_force, "173": MICRO * heavier.contact_time,
         "2.9": GOAL, "4.96": KILO * slow_spring.peak_force, "142": MICRO * spring.contact_time, "1000": SIZE,

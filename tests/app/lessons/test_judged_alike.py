@@ -9,6 +9,7 @@ import pytest
 from app.lessons.judging import judged
 from app.serving.pages import STATIC
 
+from ...patience import SECONDS
 from .test_judging import LINE, SKETCH, TIME, TIMES
 
 JUDGE = f"""
@@ -40,7 +41,7 @@ def test_browser_and_python_judge_a_line_alike():
     ]
     asked = json.dumps({"axis": SKETCH.axis, "criteria": criteria, "lines": [line.tolist() for line in lines]})
     call = ["node", "--input-type=module", "--eval", JUDGE]
-    found = subprocess.run(call, input=asked, capture_output=True, text=True, check=True, timeout=60).stdout
+    found = subprocess.run(call, input=asked, capture_output=True, text=True, check=True, timeout=SECONDS).stdout
     said = [[each.outcome for each in judged(line, SKETCH, TIMES)] for line in lines]
     assert json.loads(found) == said
     for place in range(len(criteria)):

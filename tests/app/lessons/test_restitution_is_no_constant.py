@@ -31,7 +31,7 @@ def test_numbers(language):
     first, share, other = (STEPS[at].parts[2] for at in (1, 2, 4))
     assert same("0.73", first.answer) and same("0.865", first.mistakes[0].answer)
     assert share.answer == pytest.approx(100.0 * (1.0 - kept), rel=2e-3)
-    assert [each.answer for each in share.mistakes] == pytest.approx(
+    assert [each.answer for each in share.mistakes[:-1]] == pytest.approx(
         [100.0 * kept, 100.0 * (1.0 - equal.restitution["newton"])], rel=4e-3
     )
     assert other.answer == pytest.approx(light.restitution["newton"], rel=1e-3)

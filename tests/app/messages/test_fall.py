@@ -7,7 +7,7 @@ import solvers
 from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
 
-from ..choices.test_own import named
+from ..strangers import named
 from .own import arrays, own_choices
 
 

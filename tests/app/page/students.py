@@ -183,7 +183,7 @@ def counted(found: dict[str, list[list[str]]], students: list[Student]) -> None:
     assert said == [sum(student.given["next"] == str(1 + k) for student in students) for k in range(len(OPTIONS))]
     numbers = {row[1].split(":")[0]: int(row[2].split()[0]) for row in found[f"First tries of {count} codes, by size"]}
     given = Counter(student.given["back"] for student in students)
-    assert numbers["116.4 µs"] == given["116.4"] + given["0.1164"] and numbers["58.2 µs"] == given["58.2"]
+    assert numbers["116.4 µs"] == given["116.4"] + given["0.1164"] and numbers["58.19 µs"] == given["58.2"]
     assert numbers.get("300 µs", 0) == given["300"] and sum(numbers.values()) == count
     places = [int(row[2].split()[0]) for row in found[f"In its place at the first try, of {count} codes"]]
     assert places == [sum(student.order[k] == 1 + k for student in students) for k in range(6)]

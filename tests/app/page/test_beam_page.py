@@ -26,7 +26,7 @@ def test_a_beam_is_drawn_and_its_story_shown(open_page):
     expect(page.tab.get_by_role("heading", name=f"Why one impact is {contacts} contacts")).to_be_visible()
     expect(page.tab.locator("ol.events")).to_contain_text("thrown ahead")
     expect(page.tab.locator("p.span")).to_contain_text("riding on it this beam swings half a period")
-    for name in ("How bending runs along", "Contact force", "Impactor and struck place"):
+    for name in ("How bending runs along", "Contact force", "Impactor and struck point"):
         expect(page.tab.get_by_role("heading", name=name)).to_be_visible()
     page.turn_to("Numbers")
     for name in ("Contact law", "Dispersion"):
@@ -249,7 +249,7 @@ def test_an_impact_beside_the_clamp_is_reported_as_one_on_a_wall(open_page):
     for false in (
         "pushes on next to nothing",
         "before the beam as a whole can answer",
-        "before the struck place can come",
+        "before the struck point can come",
     ):
         expect(story).not_to_contain_text(false)
 

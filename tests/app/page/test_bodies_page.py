@@ -44,16 +44,16 @@ def test_a_typed_value_is_solved_linked_undone_reloaded_and_set_back(open_page):
     expect(field(page, "Length")).to_have_value("600")
     expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("2")  # the striker is as heavy as before
     expect(field(page, "Mass, kg", 1)).to_have_value("2.133")
-    page.wait("() => location.search === '?target.length=0.6'")
+    page.wait("() => location.search === '?target.length=0.6&layout=laboratory'")
     page.answered(lambda: field(page, "Material").select_option("aluminium"))
-    page.wait("() => location.search === '?target.length=0.6&target.material=aluminium'")
+    page.wait("() => location.search === '?target.length=0.6&target.material=aluminium&layout=laboratory'")
     at_rest(page)
-    said = "Here with Length 600 mm (body 2), Material Aluminium (body 2)"
+    said = "Length 600 mm (body 2), Material Aluminium (body 2)."
     expect(page.tab.locator(".of-numbers")).to_contain_text(said)
     page.answered(lambda: page.evaluate("() => strikewave.page.history.undo()"))
     expect(field(page, "Material")).to_have_value("steel")
     page.answered(lambda: page.evaluate("() => strikewave.page.history.redo()"))
-    page.wait("() => location.search === '?target.length=0.6&target.material=aluminium'")
+    page.wait("() => location.search === '?target.length=0.6&target.material=aluminium&layout=laboratory'")
     again = open_page(page.evaluate(SEARCH))
     assert again.header("chosen") == page.header("chosen")
     page.tab.reload()
@@ -72,7 +72,7 @@ def test_mass_and_ratio_follow_each_other(open_page):
     ratio.fill("2")
     page.answered(lambda: ratio.press("Enter"))
     expect(field(page, "Mass, kg", 1)).to_have_value("1.0665")
-    expect(page.tab.locator(".field-mass_ratio .ends")).to_have_text("← heavy strikerlight →")
+    expect(page.tab.locator(".field-mass_ratio .ends")).to_have_text("← heavy strikerlight striker →")
 
 
 def test_what_cannot_be_is_said_at_the_field_and_nothing_is_lost(open_page):
@@ -131,7 +131,7 @@ def test_all_bodies_of_a_chain_are_reached_in_every_window(open_page):
     assert heads[2:] == [f"Body 2, rod {number} of 3" for number in (1, 2, 3)]
     body(page, 4).locator("summary").click()
     typed(page, "Length", "20", 4)
-    page.wait("() => location.search === '?scene=split-hopkinson&target.rods.2.length=0.02'")
+    page.wait("() => location.search === '?scene=split-hopkinson&target.rods.2.length=0.02&layout=laboratory'")
     for width, height in [(1440, 900), (1280, 720), (820, 1180), (390, 844)]:
         page.tab.set_viewport_size({"width": width, "height": height})
         page.laid_out()
@@ -149,7 +149,7 @@ def test_a_mechanism_is_built_otherwise_by_its_links_and_joints(open_page):
     expect(lengths).to_contain_text("300 mm")
     body(page, 7).locator("summary").click()
     typed(page, "Place y", "35 cm", 7)
-    page.wait("() => location.search === '?scene=four-bar&target.joints.2.y=0.35'")
+    page.wait("() => location.search === '?scene=four-bar&target.joints.2.y=0.35&layout=laboratory'")
     expect(lengths).to_contain_text("350 mm")
     page.evaluate(KEEP)
     typed(page, "Place y", "", 7)
@@ -185,7 +185,7 @@ def test_sizes_are_tried_by_sliders_too(open_page):
     page.wait("() => !strikewave.page.bodies.asked")
     expect(field(page, "Place y", 7)).to_have_value("350")  # a tenth of what the joints are apart, more
     page.answered(lambda: slider.fill("100"))
-    page.wait("() => location.search === '?scene=four-bar'")
+    page.wait("() => location.search === '?scene=four-bar&layout=laboratory'")
     page = open_page("?scene=fixed-rod")
     slider = body(page, 2).get_by_label("Length, slider")
     page.answered(lambda: slider.fill("200"))

@@ -116,7 +116,7 @@ def test_a_drag_zooms_into_what_it_passes_and_a_double_click_shows_all(open_page
 
 def test_the_line_of_the_clock_can_be_dragged(open_page):
     page = open_page()
-    hand, duration = Hand(page, "Impactor and struck place"), page.evaluate(DURATION)
+    hand, duration = Hand(page, "Impactor and struck point"), page.evaluate(DURATION)
     hand.drag(page.evaluate(TIME) / duration, 0.8)
     assert page.evaluate(TIME) == pytest.approx(0.8 * duration, rel=0.01)
     assert page.evaluate(VIEW) == [0, duration]

@@ -42,7 +42,7 @@ def test_a_class_of_twenty_is_read_and_saved(open_page):
     assert [row[0] for row in found["20 codes have an answer"]] == ["○not right", "✓right", "○not right"]
     numbers = [(row[0], row[1].split(":")[0], row[2]) for row in found["First tries of 20 codes, by size"]]
     assert numbers[:3] == [
-        ("○not right", "58.2 µs", "4 (20 %)"),
+        ("○not right", "58.19 µs", "4 (20 %)"),
         ("✓right", "116.4 µs", "8 (40 %)"),
         ("○not right", "300 µs", "4 (20 %)"),
     ]
@@ -61,10 +61,15 @@ def test_a_class_of_twenty_is_read_and_saved(open_page):
         "300 µs first, not right after 2 tries ○",
     ]
     head, *rows = saved(page)
-    assert head[:4] == ["name", "code", "next", "force.1.falls"]
+    assert head[:8] == ["name", "code", "points", "points.first", "points.most", "next", "next.text", "next.right"]
     assert [row[0] for row in rows[:5]] == ["'=1+1", "Müller, Ida", "'+49", "Jane Doe", ""]
     assert [row[1] for row in rows] == codes
     by = {name: [row[k] for row in rows] for k, name in enumerate(head)}
+    assert by["next.text"][1] == "A second contact" and by["next.right"][:3] == ["false", "true", "false"]
+    assert [by["back.first"][k] for k in (0, 1, 3)] == ["true", "false", "true"]
+    # 1: a wrong choice, 3 of 5 criteria, the slider, a number and an order at the first try; 2: left two out
+    assert [by[name][0] for name in ("points", "points.first", "points.most")] == ["3.6", "3.6", "5"]
+    assert [by[name][2] for name in ("points", "points.first")] == ["2", "0"]
     assert by["next"][:4] == ["1", "2", "3", "1"] and by["force.line"][2] == "" and by["force.2.jump"][0] == "late"
     assert [by["back"][0], by["back.unit"][0], by["back.tries"][2], by["back.right"][4]] == [
         "116.4",

@@ -205,7 +205,7 @@ def test_a_scene_whose_settings_are_changed_says_so(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('mass_ratio', 2)"))
     expect(shown).to_have_text(f"{name} (changed)")
     page.turn_to("Numbers")
-    expect(page.tab.locator("p.trust:visible").first).to_contain_text("Here with Mass ratio 2, not as")
+    expect(page.tab.locator("p.trust:visible").first).to_contain_text(f"Changed from the scene “{name}”: Mass ratio 2.")
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
     expect(shown).not_to_contain_text("(changed)")
 

@@ -19,6 +19,7 @@ from app.text.catalogues import LANGUAGES, language_for
 from solvers.bodies import Mechanism
 from solvers.text.catalogue import SOURCE
 
+from ...patience import SECONDS
 from ..conftest import Page
 from ..pseudo import BARE, LANGUAGE
 from ..servers import ROOT, free_port
@@ -232,7 +233,7 @@ def test_numbers_are_typed_with_a_comma_or_a_point(open_page):
 def test_the_address_goes_before_the_switch_and_that_before_the_browser(server, query, accepted, kept, language):
     headers = {"Accept-Language": accepted} | ({"Cookie": f"{KEPT}={kept}"} if kept else {})
     asked = urllib.request.Request(f"http://{server}/{query}", headers=headers)
-    text = urllib.request.urlopen(asked, timeout=60).read().decode()
+    text = urllib.request.urlopen(asked, timeout=SECONDS).read().decode()
     assert f'<html lang="{language}" dir="ltr">' in text and f"/text/{language}.js" in text
 
 

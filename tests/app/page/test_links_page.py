@@ -42,13 +42,13 @@ def chosen(page, *names: str) -> list:
 def test_a_link_says_only_what_differs_from_the_scene(open_page):
     page = open_page()
     set_and_wait(page, mass_ratio=2)
-    page.wait("() => location.search === '?mass_ratio=2'")
+    page.wait("() => location.search === '?mass_ratio=2&layout=laboratory'")
     set_and_wait(page, scene="hammer-on-cantilever")
-    page.wait("() => location.search === '?scene=hammer-on-cantilever'")
+    page.wait("() => location.search === '?scene=hammer-on-cantilever&layout=laboratory'")
     set_and_wait(page, modes=7)
-    page.wait("() => location.search === '?scene=hammer-on-cantilever&modes=7'")
+    page.wait("() => location.search === '?scene=hammer-on-cantilever&modes=7&layout=laboratory'")
     set_and_wait(page, modes=choices_of("hammer-on-cantilever")["modes"])
-    page.wait("() => location.search === '?scene=hammer-on-cantilever'")
+    page.wait("() => location.search === '?scene=hammer-on-cantilever&layout=laboratory'")
 
 
 def test_an_address_without_choices_is_the_first_scene_as_it_is():
@@ -74,7 +74,7 @@ def test_an_old_link_still_opens_and_becomes_short(open_page):
         2e10,
         20,
     ]
-    page.wait("() => location.search.length < 130 && location.search.includes('hertz_stiffness=')")
+    page.wait("() => location.search.length < 150 && location.search.includes('hertz_stiffness=')")
     assert "slenderness" not in page.evaluate(SEARCH)
 
 
@@ -85,7 +85,7 @@ def test_undo_and_redo_go_step_by_step_and_back_stays_on_the_page(open_page):
     expect(undo).to_be_disabled()
     at_rest(page)
     set_and_wait(page, mass_ratio=1.1)
-    page.wait("() => location.search === '?mass_ratio=1.1'")
+    page.wait("() => location.search === '?mass_ratio=1.1&layout=laboratory'")
     for ratio in (1.2, 1.3, 1.4):  # of one drag
         goes_on(page)
         set_and_wait(page, mass_ratio=ratio)
@@ -99,7 +99,7 @@ def test_undo_and_redo_go_step_by_step_and_back_stays_on_the_page(open_page):
     page.tab.go_back()
     page.wait("() => strikewave.page.frame.chosen.mass_ratio === 1.4")
     assert chosen(page, "scene", "law") == ["fixed-rod", "rigid"]
-    page.wait("() => location.search === '?mass_ratio=1.4'")
+    page.wait("() => location.search === '?mass_ratio=1.4&layout=laboratory'")
     page.answered(undo.click)
     assert chosen(page, "scene", "mass_ratio") == ["fixed-rod", 1.0]
     expect(undo).to_be_disabled()
@@ -142,7 +142,8 @@ def test_the_address_is_written_once_a_drag_and_says_where_it_ended(open_page):
             while (strikewave.frames === frames || page.telling) await new Promise((done) => setTimeout(done, 10));
             if (performance.now() - sent > 200) pauses++;
           }
-          while (!window.location.search.endsWith('speed=2.2')) await new Promise((done) => setTimeout(done, 10));
+          const there = () => window.location.search.endsWith('speed=2.2&layout=laboratory');
+          while (!there()) await new Promise((done) => setTimeout(done, 10));
           return [found, pauses];
         }"""
     )
@@ -289,7 +290,7 @@ def test_a_bad_link_is_said_once_and_breaks_nothing(open_page, query, said):
     assert "<" not in toast.inner_text()
     set_and_wait(page, speed=2)
     assert chosen(page, "scene", "speed") == ["fixed-rod", 2]
-    page.wait("() => location.search === '?speed=2'")
+    page.wait("() => location.search === '?speed=2&layout=laboratory'")
 
 
 def test_what_cannot_be_solved_again_is_said_and_the_rest_is_kept(open_page):

@@ -243,12 +243,25 @@ def test_an_analysis_opens_beside_the_picture_in_a_link_and_back_closes_the_dock
     assert page.evaluate(MODE) == "lead"
 
 
-def test_links_of_before_lead_to_the_laboratory_and_those_of_the_opening_to_it(open_page):
-    assert open_page("?mass_ratio=2").evaluate(MODE) == "desk"
-    page = open_page("?mass_ratio=2&layout=opening")
+@pytest.mark.parametrize("scene", ["fixed-rod", "hammer-on-cantilever", "two-balls", "four-bar", "brick-on-floor"])
+def test_a_link_to_a_scene_opens_its_picture(open_page, scene):
+    page = open_page(f"?scene={scene}&speed=1.7", plain=True)
     assert page.evaluate(MODE) == "lead"
+    expect(page.tab.locator(".dock.right")).to_be_hidden()
+    expect(page.tab.locator(".ask h2")).not_to_be_empty()
     settled(page)
-    page.wait("() => location.search === '?mass_ratio=2&layout=opening'")
+    said = f"?scene={scene}&speed=1.7".replace("scene=fixed-rod&", "")  # the first scene is not said
+    page.wait("(said) => location.search === said", said)
+
+
+def test_a_link_that_names_an_analysis_opens_it_beside_the_picture(open_page):
+    page = open_page("?scene=two-balls&panel=energy", plain=True)
+    assert page.evaluate(MODE) == "lead"
+    expect(page.tab.locator(".dock.right .analysis:visible")).to_have_count(1)
+    page = open_page("?mass_ratio=2&layout=laboratory")
+    assert page.evaluate(MODE) == "desk"
+    settled(page)
+    page.wait("() => location.search === '?mass_ratio=2&layout=laboratory'")
 
 
 def test_the_question_counts_the_pushes_and_the_change_moves_the_slider(open_page):

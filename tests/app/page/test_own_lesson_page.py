@@ -223,32 +223,54 @@ def test_a_lesson_on_paper_has_all_steps_and_no_answer_but_in_the_key(open_page)
     wide = paper.locator("img").evaluate_all("all => all.map((each) => each.clientWidth)")
     said, bar = paper.inner_text(), page.tab.locator(".topbar").is_visible()
     page.tab.emulate_media(media="screen")
-    assert parts == [5, 5, 1, 3, 6, 0] and not bar  # rows would tell what is to be drawn
-    assert len(set(stills)) == 4 and stills[1] == stills[2]  # each at the time that its step is about
-    assert min(wide) > 600 and "Number them in their order" in said
-    assert "How long does the front take?" in said
-    assert not re.search(r"116|Yes: a wave|bounce twice|In your line|All in order|One contact\.", said), said
+    assert parts == [5, 4, 1, 3, 6, 0] and not bar  # rows would tell what is to be drawn
+    assert len(set(stills)) == 4  # each at the time that its step is about, and once
+    assert max(wide) > 600 and "Number them in their order" in said
+    assert "How long does the front take?" in said and "Name:" in said and "Date:" in said
+    assert "Your value, from 0.34 to 10 (at the start: Mass ratio: 0.8):" in said
+    assert not re.search(r"116|Yes: a wave|bounce twice|In your line|All in order|One contact\.|Key", said), said
     assert page.evaluate("() => strikewave.page.opening.teaching.lesson.progress.far") == 0  # nothing was looked at
-    button(page, "Print").click()
-    page.tab.get_by_label("With a key for the teacher").check()
-    page.tab.locator(".lesson-printing .lesson-main").click()
-    ready(page)
-    page.tab.emulate_media(media="print")
-    key = page.tab.locator(".print-key").inner_text()
-    charts = [page.tab.locator(f".print-key {each}").count() for each in (".print-chart", ".print-below")]
     page.tab.emulate_media(media="screen")
-    assert charts == [1, 3]  # what was to be drawn, and the rows of the steps behind it
+    assert len(re.findall(rb"/Type\s*/Page\b", page.tab.pdf())) <= 2  # sheets, of five questions
+
+
+def test_the_dialogue_of_printing_has_a_title_and_ways_out_and_offers_no_key(open_page):
+    page = open_page(f"{LESSON}&key")
+    ready(page)
+    dialogue = page.tab.get_by_role("dialog", name="Print this lesson")
+    for leave in (
+        lambda: button(page, "Cancel").click(),
+        lambda: page.tab.keyboard.press("Escape"),
+        lambda: page.tab.mouse.click(5, 5),
+    ):
+        button(page, "Print").click()
+        expect(dialogue).to_be_visible()
+        expect(dialogue.locator("input")).to_have_count(0)
+        leave()
+        expect(dialogue).to_be_hidden()
+    page.tab.pdf()  # which fills the paper
+    said = page.tab.locator(".lesson-print").text_content()
+    assert "Numbers" in said or "Number them" in said
+    assert "A second contact" in said and "Yes: a wave" not in said  # the address says nothing of a key any more
+
+
+def test_the_key_is_on_the_page_of_the_teacher(open_page):
+    page = open_page("?class=bounce-twice")
+    page.wait("() => window.strikewave && strikewave.page.root.querySelector('.classes')")
+    page.evaluate("() => (window.print = () => (window.printed = true))")
+    page.wait("() => !strikewave.page.asked")
+    page.tab.get_by_role("button", name="Print the key").click()
+    page.wait("() => window.printed")
+    page.tab.emulate_media(media="print")
+    paper = page.tab.locator(".lesson-print")
+    key = paper.inner_text()
+    assert page.tab.locator(".classes").is_hidden() and paper.locator(".print-chart").count() == 1
     assert (
         "116.4 µs (± 2.3 µs)" in key
         and "It pushes the struck end out once more" in key
         and "A second contact" in key
         and "from 1.02 to 10: One" in key
     )
-    page.tab.goto(f"http://{page.address}/{LESSON}&key")
-    page.laid_out()
-    ready(page)
-    button(page, "Print").click()
-    expect(page.tab.get_by_label("With a key for the teacher")).to_be_checked()  # as the address says
 
 
 def test_paper_has_the_charts_that_texts_speak_of_and_leaves_what_was_answered(open_page):

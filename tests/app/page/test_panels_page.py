@@ -304,4 +304,4 @@ def test_a_bad_link_is_reported_and_otherwise_ignored(open_page):
     expect(toast).to_contain_text("Error: 7.0 is not possible. Choose a number from 10⁻⁶ to 0.5", timeout=15_000)
     expect(toast).to_contain_text("Step against: “…” is not possible", timeout=15_000)
     expect(page.tab.locator(".needs").get_by_label("Allowed error, in percent")).to_have_value("10")
-    page.wait("() => location.search === '?panel=needs&question=final-velocities&error=0.1'")
+    page.wait("() => location.search === '?panel=needs&question=final-velocities&error=0.1&layout=laboratory'")

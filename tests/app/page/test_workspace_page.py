@@ -194,7 +194,7 @@ def test_the_pace_can_be_a_share_of_real_time(open_page):
 
 def test_the_page_moves_by_itself_and_waits_where_a_caption_speaks(open_page):
     page = open_page(reduced_motion="no-preference")
-    page.wait("() => strikewave.page.player.t > 0.05", timeout=5000)
+    page.wait("() => strikewave.page.player.t > 0.05")
     page.wait("() => strikewave.page.player.waits > performance.now() + 1000")
     assert page.evaluate(T) == pytest.approx(0.5, abs=1e-3)
     expect(page.tab.locator(".caption")).to_contain_text("meets the fixed end")
@@ -271,7 +271,7 @@ def test_a_scene_is_the_same_wherever_one_comes_from(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
     chosen, own = page.header("chosen"), page.header("own")
     assert (chosen["modes"], chosen["restitution"]) == (own["modes"], own["restitution"])
-    page.wait("() => location.search === '?scene=free-rod'")
+    page.wait("() => location.search === '?scene=free-rod&layout=laboratory'")
 
 
 @pytest.mark.parametrize(("scene", "hidden"), [("split-hopkinson", True), ("semi-infinite-rod", False)])

@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-SECONDS = 15_000  # ms for a page
+SECONDS = 60_000  # ms for a page
 DESK = {"width": 1280, "height": 720}
 PLAIN = "sheets.css"  # of every folder: where no page is
 SHOWN = "() => window.strikewave?.frames > 0"

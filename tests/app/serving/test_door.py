@@ -3,9 +3,12 @@
 import pytest
 from bokeh.util.token import generate_jwt_token, generate_session_id, get_session_id, get_token_payload
 
+from app.choices.own import LONGEST
 from app.serving import door as doors
 from app.serving.door import FULL, Door
 from app.serving.limits import ADDRESS_SESSIONS, IDLE_SECONDS, MAX_BARRED, MAX_SESSIONS
+from solvers.scenes.library import SCENES
+from tests.app.strangers import named
 
 SECRET = b"a secret of this process"
 HERE, ELSEWHERE = "203.0.113.1", "203.0.113.2"
@@ -92,6 +95,16 @@ def test_only_what_an_address_may_say_reaches_a_session(door):
     arguments = get_token_payload(token)["arguments"]
     assert set(arguments) == {"speed", "law", "panel"} and arguments["speed"] == [b"2"]
     assert len(token) < 2_000
+
+
+def test_a_scene_of_ones_own_reaches_a_session_whole(door):
+    names = [named(path.read_text("utf-8")) for path in SCENES.glob("*.toml")]
+    assert max(map(len, names)) > 700
+    for name in (*names, "own." + "A" * (LONGEST - 4)):
+        arguments = get_token_payload(door.issue({"scene": [name.encode()]}))["arguments"]
+        assert arguments["scene"] == [name.encode()]
+    long = get_token_payload(door.issue({"scene": [b"A" * 100_000], "law": [b"A" * 100_000]}))["arguments"]
+    assert len(long["scene"][0]) == LONGEST and len(long["law"][0]) < LONGEST
 
 
 def test_the_last_place_is_given_and_no_more_than_that(door):

@@ -48,6 +48,10 @@ def test_choices_and_what_is_opened_and_asked_are_taken_and_nothing_else_of_the_
         SAID | {"msg_type": "custom"},
         SAID | {"msg_data": READY | {"name": "button_click"}},
         SAID | {"msg_data": READY | {"values": {"type": "map", "entries": [["model", {"id": OWN}]]}}},
+        SAID | {"x": []},  # of which Bokeh would make whatever it says
+        SAID | {"model": {"id": OWN}},
+        SAID | {"msg_data": READY | {"x": [{"type": "object", "name": "Div", "id": "A\nB"}]}},
+        SAID | {"msg_data": READY | {"values": {"type": "map", "x": 1}}},
         {},
         None,
         7,
@@ -77,7 +81,8 @@ def test_what_panel_reports_by_itself_is_dropped_without_a_word():
 @pytest.mark.parametrize("kind", ["PUSH-DOC", "SERVER-INFO-REQ", "ACK", "OK", "nonsense"])
 def test_no_other_message_is_taken(kind):
     assert guard.decide(kind, {"events": []}, OWN, guard.SETTABLE).reason
-    assert guard.decide("PATCH-DOC", [], OWN, guard.SETTABLE).reason
+    for content in ([], {}, {"events": [], "x": [{"type": "object", "name": "Div", "id": "A"}]}):
+        assert guard.decide("PATCH-DOC", content, OWN, guard.SETTABLE).reason
 
 
 def test_of_choices_that_are_set_again_only_the_newest_is_kept():

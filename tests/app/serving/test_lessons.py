@@ -10,10 +10,12 @@ from app.lessons.record import lesson_record
 from app.lessons.shipped import lesson_languages, lesson_names, shipped_lesson
 from app.text.catalogues import language_for
 
+from ...patience import SECONDS
+
 
 def fetched(server: str, address: str, **headers: str):
     asked = urllib.request.Request(f"http://{server}/lessons/{address}", headers=headers)
-    return urllib.request.urlopen(asked, timeout=30)
+    return urllib.request.urlopen(asked, timeout=SECONDS)
 
 
 @pytest.mark.parametrize("name", lesson_names())

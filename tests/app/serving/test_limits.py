@@ -14,6 +14,7 @@ from tornado.httpclient import AsyncHTTPClient
 
 from app.serving.limits import HASTE_BURST, MAX_REFUSED, OVER_PAUSE
 
+from ...patience import SECONDS
 from ..conftest import Page
 from ..servers import Meter
 from ..socket_client import SocketClient, run
@@ -93,7 +94,7 @@ def test_who_comes_after_a_flood_from_his_address_gets_in(server):
         for _ in range(MAX_REFUSED + 10):
             await client.set("esm", SCRIPT[:90])
         assert (await closed(client._socket))[0] == 1008
-        page = await AsyncHTTPClient().fetch(f"http://{server}/", request_timeout=60)
+        page = await AsyncHTTPClient().fetch(f"http://{server}/", request_timeout=SECONDS)
         token = re.search(r'"token":\s*"([^"]+)"', page.body.decode()).group(1)
         for _ in range(100):
             (await with_token(server, token)).close()
@@ -110,7 +111,7 @@ def test_a_fetched_page_solves_nothing_and_makes_no_document(started):
         client, meter = AsyncHTTPClient(), Meter(started)
         for k in range(10):
             queries = (f"http://{started.address}/?mass_ratio={1 + k / 100 + i / 1000}&modes=200" for i in range(10))
-            pages = await asyncio.gather(*(client.fetch(query, request_timeout=60) for query in queries))
+            pages = await asyncio.gather(*(client.fetch(query, request_timeout=SECONDS) for query in queries))
             assert {page.code for page in pages} <= {200}
         return meter.read()
 

@@ -6,14 +6,18 @@ import re
 import subprocess
 import urllib.error
 import urllib.request
+from pathlib import Path
 
 import pytest
 
 from app.choices.choices import SCENES
+from app.serving import pages
 from app.serving.bundle import bundle, function
 from app.serving.libraries import CORE, extension
 from app.serving.pages import APART, FIGURES, LIBRARIES, SCRIPTS, STATIC, VERSION, shell, text_of
 from solvers.text.catalogue import SOURCE
+
+from ...patience import SECONDS
 
 FILES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "sheets.css")} | dict(LIBRARIES)
 ADDRESSES = {address: text_of(file) for address, file in FILES.items()}
@@ -22,7 +26,9 @@ ADDRESSES |= {f"assets/{VERSION}/text/{language}.js": text for language, text in
 
 def fetched(server: str, address: str, *coding: str):
     headers = {"Accept-Encoding": coding[0]} if coding else {}
-    return urllib.request.urlopen(urllib.request.Request(f"http://{server}/{address}", headers=headers), timeout=30)
+    return urllib.request.urlopen(
+        urllib.request.Request(f"http://{server}/{address}", headers=headers), timeout=SECONDS
+    )
 
 
 @pytest.mark.parametrize("address", ADDRESSES)
@@ -34,6 +40,20 @@ def test_a_file_is_the_same_packed_or_not(server, address):
     for answer in (plain, packed):
         assert answer.headers["Vary"] == "Accept-Encoding" and "immutable" in answer.headers["Cache-Control"]
         assert answer.headers.get_content_type().endswith("css" if address.endswith(".css") else "javascript")
+
+
+def test_what_is_sent_is_put_together_once(monkeypatch):
+    """To bundle the modules at every request took 150 ms of the event loop, for which a class waited 8 s."""
+    pages.pack()
+
+    def again(*_, **__):
+        raise AssertionError("put together once more")
+
+    for name in ("bundle", "styles", "extension"):
+        monkeypatch.setattr(pages, name, again)
+    monkeypatch.setattr(Path, "read_bytes", again)
+    for file in (*(STATIC / name for name in pages.FILES if Path(name).suffix in pages.PACKED), *FILES.values()):
+        assert len(pages._packed(file)) < len(text_of(file))
 
 
 def test_of_what_extends_bokeh_the_page_loads_the_models_that_it_has():
@@ -79,7 +99,7 @@ def test_a_module_is_given_what_it_imports(tmp_path):
         "/** @import { X } from './x.js' */\nexport function sum() {\n  return first + two + all.three;\n}\n"
     )
     (tmp_path / "try.mjs").write_text(bundle(tmp_path, "a.js") + "console.log(sum());\n")
-    done = subprocess.run(["node", tmp_path / "try.mjs"], capture_output=True, text=True, timeout=60)
+    done = subprocess.run(["node", tmp_path / "try.mjs"], capture_output=True, text=True, timeout=SECONDS)
     assert done.stdout == "6\n", done.stderr
 
 
@@ -111,8 +131,8 @@ def test_what_cannot_be_bundled_is_refused(tmp_path, text, reason):
     "path", ["", "liveness", "gallery/en", "?mass_ratio=3", LIBRARIES[0][0], f"figures/en/{next(iter(FIGURES))}"]
 )
 def test_a_head_is_answered_as_the_whole_is_without_its_body(server, path):
-    whole = urllib.request.urlopen(f"http://{server}/{path}", timeout=60)
-    head = urllib.request.urlopen(urllib.request.Request(f"http://{server}/{path}", method="HEAD"), timeout=60)
+    whole = urllib.request.urlopen(f"http://{server}/{path}", timeout=SECONDS)
+    head = urllib.request.urlopen(urllib.request.Request(f"http://{server}/{path}", method="HEAD"), timeout=SECONDS)
     assert head.status == 200 and head.read() == b""
     assert head.headers["Content-Type"] == whole.headers["Content-Type"]
 
@@ -126,7 +146,7 @@ def test_the_gallery_is_the_same_packed_or_not_and_asked_for_again_if_it_has_cha
     assert {name for _, names in found["cards"] for name in names} == found["pictures"].keys()
     again = urllib.request.Request(f"http://{server}/gallery/en", headers={"If-None-Match": plain.headers["Etag"]})
     with pytest.raises(urllib.error.HTTPError, match="304"):
-        urllib.request.urlopen(again, timeout=30)
+        urllib.request.urlopen(again, timeout=SECONDS)
 
 
 def test_the_gallery_names_lessons_in_the_language_that_is_asked_for(server):
@@ -145,7 +165,7 @@ def test_the_page_names_nothing_of_the_gallery():
 @pytest.mark.parametrize("fields", [1_000, 1_001, 8_000])
 def test_a_link_of_many_fields_is_answered_with_the_page(server, fields):
     """Beyond a thousand it was an empty 400."""
-    with urllib.request.urlopen(f"http://{server}/?" + "&".join(["mass_ratio=3"] * fields), timeout=60) as page:
+    with urllib.request.urlopen(f"http://{server}/?" + "&".join(["mass_ratio=3"] * fields), timeout=SECONDS) as page:
         assert page.status == 200 and b"Strikewave" in page.read()
 
 

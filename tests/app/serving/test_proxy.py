@@ -12,6 +12,7 @@ from http.client import HTTPConnection
 
 import pytest
 
+from ...patience import SECONDS
 from ..servers import ROOT, Server, free_port
 from ..socket_client import SocketClient, run
 
@@ -60,7 +61,7 @@ def wire(port, source) -> socket.socket:
 
 def answered(port, path="/liveness", source=HONEST) -> int | None:
     """The status; None if there is no answer."""
-    connection = HTTPConnection("127.0.0.1", port, timeout=60, source_address=(source, 0))
+    connection = HTTPConnection("127.0.0.1", port, timeout=SECONDS, source_address=(source, 0))
     with contextlib.closing(connection), contextlib.suppress(OSError):
         connection.request("GET", path)
         return connection.getresponse().status

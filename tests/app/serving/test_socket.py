@@ -20,6 +20,7 @@ from app.serving.limits import MAX_CLOSING
 from app.serving.sockets import LIMIT, Socket
 from tests.app.sentences import refusals
 
+from ...patience import SECONDS
 from ..servers import Meter
 from ..socket_client import SocketClient, run
 from .wires import closed
@@ -281,7 +282,7 @@ def test_who_leaves_while_the_socket_opens_leaves_no_trace(server):
     """The server's log is read at the end of all tests: a stack trace in it fails them."""
 
     async def visit(seconds: float) -> None:
-        page = await AsyncHTTPClient().fetch(f"http://{server}/", request_timeout=120)
+        page = await AsyncHTTPClient().fetch(f"http://{server}/", request_timeout=SECONDS)
         token = re.search(r'"token":\s*"([^"]+)"', page.body.decode()).group(1)
         socket = await websocket_connect(f"ws://{server}/ws", subprotocols=["bokeh", token])
         await asyncio.sleep(seconds)

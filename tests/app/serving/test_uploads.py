@@ -24,6 +24,7 @@ from app.views.record import MAX_POINTS
 from solvers.records.files import MAX_BYTES
 from tests.app.sentences import sentence
 
+from ...patience import SECONDS
 from .. import example_record
 from ..socket_client import run
 
@@ -39,7 +40,7 @@ def post(address, content, origin=None, **query):
     headers = {"Origin": f"http://{address}" if origin is None else origin}
     url = f"http://{address}/record?{urlencode({k: v for k, v in (QUERY | query).items() if v is not None})}"
     try:
-        with urllib.request.urlopen(urllib.request.Request(url, content, headers), timeout=30) as answer:
+        with urllib.request.urlopen(urllib.request.Request(url, content, headers), timeout=SECONDS) as answer:
             return answer.status, json.load(answer)
     except urllib.error.HTTPError as refused:
         answer = json.load(refused)
@@ -205,7 +206,9 @@ class Slow:
     async def sent(self, address, content=b"1"):
         """The status that is answered to somebody there."""
         headers = {"Origin": "http://here:80", "X-Forwarded-For": address}
-        request = HTTPRequest(f"http://127.0.0.1:{self._port}/record", "POST", headers, content, request_timeout=60)
+        request = HTTPRequest(
+            f"http://127.0.0.1:{self._port}/record", "POST", headers, content, request_timeout=SECONDS
+        )
         return (await AsyncHTTPClient(max_clients=100, force_instance=True).fetch(request, raise_error=False)).code
 
     async def end(self, *sent):

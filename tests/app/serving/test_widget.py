@@ -94,7 +94,10 @@ def test_it_goes_with_frame_and_listener(tab):
     assert [frame for frame in tab.frames if "index.html" in frame.url] == []
 
 
-@pytest.mark.parametrize("src, got", [(None, "undefined"), ("", '""'), (7, "7"), ("http://", '"http://"')])
+HARMFUL = [(src, f'"{src}"') for src in ("javascript:parent.stolen=1", "data:text/html,x", "JAVASCRIPT:1", "blob:x")]
+
+
+@pytest.mark.parametrize("src, got", [(None, "undefined"), ("", '""'), (7, "7"), ("http://", '"http://"'), *HARMFUL])
 def test_an_address_that_is_none_is_refused_in_one_line(tab, src, got):
     values = {"error": "Invalid JSON5/JSON supplied."} if src is None else {"src": src}
     said = tab.evaluate(f"(values) => ({WIDGET})(values).catch(({{ message }}) => message)", values)

@@ -5,6 +5,8 @@ import asyncio
 from tornado.httpclient import HTTPRequest
 from tornado.websocket import websocket_connect
 
+from ...patience import SECONDS
+
 SCRIPT = "window.stolen = true; export function render() { window.stolen = true; }"
 
 
@@ -16,5 +18,5 @@ async def closed(wire, seconds=20.0):
 
 
 async def with_token(address, token):
-    request = HTTPRequest(f"ws://{address}/ws", request_timeout=20)
+    request = HTTPRequest(f"ws://{address}/ws", request_timeout=SECONDS)
     return await websocket_connect(request, subprotocols=["bokeh", token])

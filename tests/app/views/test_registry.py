@@ -17,6 +17,8 @@ from app.text.refusals import note
 from app.views.bounces import bounces_data
 from app.views.registry import KINDS, VIEWS, View, any_method
 
+from ...patience import SECONDS
+
 REGISTERED = """
 import param
 from app.choices.questions import Question
@@ -64,7 +66,7 @@ assert {"weather", "season"} <= set(lab._runners) and "storm" in lab._long
 
 @pytest.mark.slow
 def test_a_view_that_is_registered_is_known_everywhere():
-    done = subprocess.run([sys.executable, "-c", REGISTERED], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", REGISTERED], capture_output=True, text=True, timeout=SECONDS)
     assert done.returncode == 0, done.stderr
 
 

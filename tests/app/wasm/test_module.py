@@ -22,6 +22,7 @@ from solvers.numerics.modal_steps import steps_drawn
 from solvers.numerics.waves.drawn import LEAST_JUMP
 from solvers.scenes.library import scene_of
 
+from ...patience import SECONDS
 from . import native
 from .answered import FIREFOX, Answers, by_firefox, by_node
 
@@ -239,7 +240,7 @@ def test_firefox_finds_what_this_machine_finds(tmp_path):
 def test_the_module_can_be_built_again(tmp_path):
     built = tmp_path / "kernels.wasm"
     command = [sys.executable, "-m", "app.wasm.build", built]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=500)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
     assert done.returncode == 0, done.stderr
     few = range(DRAWN_TOO)
     through = [(random_scene(), random_time()) for _ in few]

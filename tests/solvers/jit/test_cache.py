@@ -11,6 +11,8 @@ import pytest
 
 from solvers.jit import cache as kept
 
+from ...patience import SECONDS
+
 ROOT = Path(__file__).parents[3]
 TRY = """
 import numpy as np
@@ -102,7 +104,7 @@ print(arm_of(np.zeros(3), 0, np.array([7.0, 2.0]))[0])
 def ran(code: str, cache: Path, **more: str) -> subprocess.CompletedProcess:
     where = os.environ | {"NUMBA_CACHE_DIR": str(cache)} | more
     done = subprocess.run(
-        [sys.executable, "-c", code], cwd=ROOT, env=where, capture_output=True, text=True, timeout=120
+        [sys.executable, "-c", code], cwd=ROOT, env=where, capture_output=True, text=True, timeout=SECONDS
     )
     assert done.returncode == 0, done.stderr
     return done

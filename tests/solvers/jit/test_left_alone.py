@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from ...patience import SECONDS
+
 ROOT = Path(__file__).parents[3]
 pytestmark = pytest.mark.slow
 
@@ -48,7 +50,7 @@ print(json.dumps(changed))
 def in_child(code: str, **more: str) -> str:
     where = {key: value for key, value in os.environ.items() if key != "NUMBA_CACHE_DIR"} | more
     done = subprocess.run(
-        [sys.executable, "-c", code], cwd=ROOT, env=where, capture_output=True, text=True, timeout=300
+        [sys.executable, "-c", code], cwd=ROOT, env=where, capture_output=True, text=True, timeout=SECONDS
     )
     assert done.returncode == 0, done.stderr
     return done.stdout

@@ -12,6 +12,8 @@ import xarray
 import solvers
 from solvers.notebook import datasets
 
+from ...patience import SECONDS
+
 KINDS = {  # one of each pair of bodies that has a motion of its own
     "a mass on a rod": "fixed-rod",
     "a ball on a beam": "timoshenko-1913-long",
@@ -118,7 +120,7 @@ def test_without_xarray_the_sentence_names_the_extra():
         "try: solution.dataset()\n"
         "except ImportError as error: print(error)"
     )
-    done = subprocess.run([sys.executable, "-c", call], capture_output=True, text=True, timeout=240)
+    done = subprocess.run([sys.executable, "-c", call], capture_output=True, text=True, timeout=SECONDS)
     assert done.stdout == "dataset() needs xarray: pip install 'strikewave[notebook]'\n", done.stderr
 
 

@@ -5,6 +5,8 @@ import sys
 
 import pytest
 
+from ...patience import SECONDS
+
 # Of the C library that fetches each anew unless told otherwise; what is counted is on Linux only
 SOLVES = """
 import resource
@@ -23,5 +25,5 @@ print((resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before) / 5)
 @pytest.mark.skipif(sys.platform != "linux", reason="a matter of its C library")
 def test_solves_fetch_no_new_pages():
     """Some 6000 for each otherwise, which take as long as the solve."""
-    found = subprocess.run([sys.executable, "-c", SOLVES], capture_output=True, text=True, check=True, timeout=60)
+    found = subprocess.run([sys.executable, "-c", SOLVES], capture_output=True, text=True, check=True, timeout=SECONDS)
     assert float(found.stdout) < 500

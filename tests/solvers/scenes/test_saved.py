@@ -73,3 +73,9 @@ def test_histories_with_jumps_and_steps_of_their_own_are_a_record(tmp_path):
     record = load_record(saved(tmp_path, time))
     assert np.ptp(np.diff(record.time)) < 1e-6 * record.step
     assert record.values == pytest.approx(np.sin(3e4 * record.time), abs=0.01)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_scene_is_written_as_a_file_that_is_read_back(name, tmp_path):
+    (tmp_path / "scene.toml").write_text(solvers.to_toml(SCENES[name]), encoding="utf-8")
+    assert solvers.load(tmp_path / "scene.toml").table() == SCENES[name].table()

@@ -14,6 +14,16 @@ from tests.catalog import SCENES
 BENT = SCENES["bent-rods"]
 
 
+def test_unless_one_is_named_it_is_the_first_of_which_waves_are_known():
+    tables = solvers.load("bent-rods").table()
+    target = tables["target"]
+    start = target["links"][0]["from"]
+    crank = {"name": "crank", "from": [start[0] - 0.1, start[1]], "to": start, "mass": 1.0}
+    joint = {"kind": "revolute", "links": ["crank", "first"], "at": start}  # which has no section
+    target |= {"links": [crank, *target["links"]], "joints": [joint, *target["joints"]]}
+    assert solvers.joint_scattering(solvers.Scene.from_table(tables)).links == ("first", "second")
+
+
 def test_a_scene_knows_its_joint():
     found = solvers.joint_scattering(BENT)
     assert (found.joint, found.kind, found.links) == (0, "revolute", ("first", "second"))
