@@ -30,7 +30,7 @@ from .bodies.lumped import SPEED_RANGE
 from .contact import Rigid, check_law
 from .contact.duration import contact_time
 from .contact.protocol import Law
-from .contact_table import read_contact_normal, read_joint_laws, read_law
+from .contact_table import chain_laws, read_contact_normal, read_joint_laws, read_law
 from .numerics.rigid import impulses
 from .validation import SceneError, allowed, told
 
@@ -63,10 +63,11 @@ class Scene:
     friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
     view: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
     gravity: float = 0.0  # that pulls the impactor along the axis towards the target [m/s2]
+    striker_laws: tuple[Law | None, ...] = ()  # as `joint_laws`, of a chain of rods that strikes
 
     def __post_init__(self) -> None:
         # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
-        if isinstance(self.impactor, Rod) and self.impactor.held and not self.given:
+        if isinstance(self.impactor, Waveguide) and self.impactor.held and not self.given:
             raise SceneError("impactor.support", self.impactor.support, allowed("choice", options=["free"]))
         check_law(type(self.contact))
 
@@ -109,6 +110,7 @@ class Scene:
             read_gravity(given["impactor"])
             if not any(isinstance(body, Mechanism) for body in (impactor, target))
             else 0.0,
+            chain_laws("impactor", impactor, impactor.velocity - target.velocity) if impactor.rods else (),
         )
 
     def replace(self, changes: Mapping[str, Any]) -> "Scene":
@@ -282,6 +284,17 @@ class Scene:
         if self.normal is not None:
             return float(sum(impulses.kinetic_energy(in_space(body)) for body in (self.impactor, self.target)))
         return sum(body.kinetic_energy for body in (self.impactor, self.target) if not isinstance(body, Pulse))
+
+    @property
+    def rods(self) -> list[Rod]:
+        """Of both bodies, along which waves keep their shape, from left to right."""
+        return [*self.impactor.rods[::-1], *self.target.rods]
+
+    @property
+    def impedance(self) -> float:
+        """Of the struck end of the target [kg/s] or, where no rod is struck, of the end of the rod that strikes."""
+        rods = self.target.rods or self.impactor.rods
+        return rods[0].impedance
 
     @property
     def halting_time(self) -> float:

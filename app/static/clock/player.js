@@ -172,8 +172,7 @@ export class Player {
   }
   /** Whether the clock is out of what charts show. */
   get #out() {
-    const [low, high] = this.#shown;
-    const least = LEAST * this.duration;
+    const [[low, high], least] = [this.#shown, LEAST * this.duration];
     return this.t < low - least || this.t > high + least;
   }
   /**

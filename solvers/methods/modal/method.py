@@ -69,7 +69,7 @@ class Modal(Method):
     coarser: float = field(default=1.0, repr=False)  # times the usual step, where no steps are asked for
 
     NAME = "modal"
-    BEAMS = DAMPED = WEIGHT = True
+    BEAMS = DAMPED = WEIGHT = RIPPLES = True
     RESOLUTIONS = ("modes", "steps")
 
     def why_not(self, scene: Scene) -> Note | None:

@@ -124,7 +124,7 @@ class GridHistory(ChainHistory):
 
     def _has_faded(self, last: int) -> bool:
         """Before a rod without end: whether nothing is left to come."""
-        looked, before = last * PARTING_CHECKS // self.force.shape[1], self.rods[-1].support == "anechoic"
+        looked, before = last * PARTING_CHECKS // self.force.shape[1], self.chain.kind[-1] == ABSORBING
         if before and not self.falls and looked % (PARTING_CHECKS // 4) == 0:
             self._integrals.clear()
             self.faded = self.energy_left(last * self.step) < MILLIONTH**2

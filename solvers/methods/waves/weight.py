@@ -9,7 +9,7 @@ from ...numerics.collisions import SWINGS, SWINGS_TO_REST
 from ...numerics.parting import reach
 from ...numerics.waves.parted import of_part
 from ...numerics.waves.parts import ABSORBING
-from ...numerics.waves.record import TOTAL_LEFT, TOTAL_RIGHT
+from ...numerics.waves.record import PLACE, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW
 from ..weight import about_so_long, comes_to_rest, is_at_rest
@@ -30,7 +30,7 @@ class Falling:
 
     def __init__(self, given: Any):
         self.given, self.chain = given, given.chain
-        self.mass, self.fall = float(given.masses[-1]), float(given.chain.fall)
+        self.mass, self.fall = float(given.striker), float(given.chain.fall)
         self.every = max(about_so_long(given.scene) / given.trip / PARTS, 0.5)
         self.how, self.stop, self.comes_back, self._looked = GOES_ON, math.inf, False, 0.0
         self._moments: tuple[float, float] = (0.0, 0.0)
@@ -103,6 +103,11 @@ class Falling:
         now, contact = np.array([t]), history.contact
         target = sum(float(history.rod_energy(rod, now)[0]) for rod in range(contact, len(history.rods)))
         own = sum(float(history.rod_energy(rod, now)[0]) for rod in range(contact))
+        ends = float(history.sampled(0, SPEED, now)[0]), float(history.sampled(len(history.rods), SPEED, now)[0])
+        own += 0.5 * float(self.chain.mass_left[0]) * ends[0] ** 2 if contact else 0.0
+        if self.chain.spring:
+            bent = float(history.sampled(len(history.rods), PLACE, now)[0])
+            target += 0.5 * float(self.chain.mass_right[-1]) * ends[1] ** 2 + 0.5 * float(self.chain.spring) * bent**2
         falling = float((history.velocity_as_whole(now) - history.gained(now))[0])
         return target, max(own - 0.5 * self.mass * falling**2, 0.0) if contact else 0.0
 
