@@ -209,3 +209,58 @@ def test_rods_that_come_apart_are_refused_where_weight_matters():
         solvers.solve(dropped({"law": "rigid"}, loose), "waves")
     with pytest.raises(SceneNotSupported):
         solvers.solve(dropped({"law": "rigid"}), "waves", steps=1000)
+
+
+# --- rods that fall on what is no rod
+
+
+CHAIN = {"kind": "rods", "rods": [{key: ROD[key] for key in ("length", "section", "material")}] * 2}
+STRIKERS = {"rod": ROD, "rods": CHAIN, "rod-with-mass": ROD | {"end_mass": 0.2}}
+HELD = {
+    "stop": {"kind": "stop"},
+    "spring-mass": {"kind": "spring-mass", "mass": 0.5, "stiffness": 2e4},
+}
+
+
+@pytest.mark.parametrize("gravity", [9.81, 200.0])
+@pytest.mark.parametrize("target", HELD)
+@pytest.mark.parametrize("striker", STRIKERS)
+def test_rods_that_fall_on_what_is_held(striker, target, gravity):
+    """Against a march of masses on springs in place of the rods, 200 to a rod, by velocity Verlet."""
+    scene = dropped(LINEAR, HELD[target], gravity, **STRIKERS[striker])
+    found = solvers.solve(scene, "waves", duration=0.05)
+    assert abs(found.diagnostics["energy_error"]) < 1e-9 and abs(found.diagnostics["momentum_error"]) < 1e-9
+    count = 200 * len(scene.impactor.rods)
+    mass, soft = np.full(count, math.pi * 1e-4 * 1e3 / 200), IMPEDANCE / TRANSIT * 200
+    mass[-1] += STRIKERS[striker].get("end_mass", 0.0)
+    half = 2.0 * soft  # of half a piece, from the first mass to the face
+    between = 1.0 / (1.0 / LINEAR["stiffness"] + 1.0 / half)
+    own, held = HELD[target].get("mass", math.inf), HELD[target].get("stiffness", 0.0)
+    place, speed, moved, moving, step = np.zeros(count), np.full(count, scene.speed), 0.0, 0.0, 1e-5
+    pushed = 0.0
+    for _ in range(round(0.05 / step)):
+        speed_half, moving_half = None, None
+        for half_step in (0, 1):
+            force = between * max(place[0] - moved, 0.0)
+            inner = soft * np.diff(place)
+            rate = np.full(count, gravity)
+            rate[:-1] += inner / mass[:-1]
+            rate[1:] -= inner / mass[1:]
+            rate[0] -= force / mass[0]
+            other = (force - held * moved) / own
+            pushed += 0.5 * step * force
+            if half_step == 0:
+                speed_half, moving_half = speed + 0.5 * step * rate, moving + 0.5 * step * other
+                place, moved = place + step * speed_half, moved + step * moving_half
+            else:
+                speed, moving = speed_half + 0.5 * step * rate, moving_half + 0.5 * step * other
+    motion, end = found.known_motion, np.array([0.05])
+    whole = float(mass @ speed / mass.sum())
+    assert motion.impactor_velocity(end)[0] == approx(whole, abs=5e-3 * scene.speed)
+    assert motion.impulse(end)[0] == approx(pushed, rel=5e-3)
+
+
+def test_rods_that_fall_and_come_apart_are_refused_where_weight_matters():
+    loose = CHAIN | {"rods": [CHAIN["rods"][0], CHAIN["rods"][0] | {"joint": "touching"}]}
+    with pytest.raises(SceneNotSupported, match="weight"):
+        solvers.solve(dropped({"law": "rigid"}, {"kind": "stop"}, **loose), "waves")
