@@ -163,7 +163,8 @@ class FeModal(FiniteElements):
 
         def room(record, instant):
             swings = np.hypot(displacement, velocity).sum() + residual * abs(record.spring_force[instant])
-            return record.rigid_position[instant] - record.position[instant] - swings
+            dent = float(law.dent(max(float(record.indentation[: instant + 1].max()), 0.0)))
+            return record.rigid_position[instant] - record.position[instant] + dent - swings
 
         masses = first.rigid_mass, second.rigid_mass
 

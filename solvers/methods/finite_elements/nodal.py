@@ -145,7 +145,8 @@ class FeNodal(FiniteElements):
         def room(record, instant):
             snapshot = instant // stride
             fallen = 0.5 * fall * (snapshot * stride * step) ** 2  # as seen from the frame of the march
-            return _room(bodies, meshes, record.displacement[snapshot], record.velocity[snapshot]) - fallen
+            dent = float(law.dent(max(float(record.deepest[instant]), 0.0)))
+            return _room(bodies, meshes, record.displacement[snapshot], record.velocity[snapshot]) + dent - fallen
 
         def pushes(record, instant):
             return np.diff(record.impulse[: instant + 1])
