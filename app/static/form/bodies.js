@@ -327,7 +327,9 @@ function sliderOf(scale, send) {
     const value = scale.at(Number(root.value) / STEPS);
     send(Number(root.value) === STEPS / 2 ? value : Number(value.toPrecision(3)));
   };
-  root.onchange = () => (held = false);
+  root.onchange = () => {
+    held = false;
+  };
   return {
     root,
     /** Where a value is refused, the last one again. */

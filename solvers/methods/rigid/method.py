@@ -40,6 +40,7 @@ class RigidImpulse(Method):
     model: str = option(MODELS[0], word(MODELS))  # of what rubs
 
     NAME = "rigid"
+    WEIGHT = True  # which has no time to act
     SPATIAL = BEAMS = True
 
     def why_not(self, scene: Scene) -> Note | None:

@@ -34,6 +34,7 @@ from .grid_parted import clear
 NODE_STEPS = 2_000_000  # of all nodes together: some tenths of a second, 80 MB
 PARTING_CHECKS = 40  # over the time followed, whether the bodies have parted; more cost time, fewer a longer tail
 TRIALS = 20_000  # numbers of steps among which is looked for the one that suits the lengths of the rods best
+MUCH_OFF = 0.01  # of a first contact, which is said
 COARSER = 0.45  # steps of the second solve, as a share of those of the first: their difference gives the error
 
 
@@ -62,6 +63,7 @@ class GridHistory(ChainHistory):
         self.contacts = self.periods(self.contact)
         self.touching = bool(self.contacts) and self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12)
         self.error = MILLIONTH if self.faded else 0.0
+        self.first_off = 0.0  # by how much the first contact was off, see `chain_solve`
 
     def _march(self) -> None:
         self._integrals: dict[tuple[int, int], np.ndarray] = {}
@@ -102,7 +104,7 @@ class GridHistory(ChainHistory):
         apart = separate(self.chain, self.given.masses, through, NO_PULL)
         sure = apart and (alike(self.chain) or clear(self, last))
         self.parted = sure or (apart and quiet * self.step >= longest)
-        self.doubtful = self.parted and not sure and self.chain.kind[-1] != ABSORBING
+        self.doubtful = self.parted and not sure
         return self.parted
 
     def _has_faded(self, last: int) -> bool:
@@ -132,6 +134,8 @@ class GridHistory(ChainHistory):
     def notes(self) -> list[Note]:
         times, change = self.force.shape[1], self.change()
         found = [Note("stepped-on-grid", Severity.REMARK, times=times, change=change)]
+        if self.first_off > MUCH_OFF:
+            found.append(Note("grid-too-coarse", Severity.WARNING, share=100.0 * self.first_off))
         if self.unresolved() > 0.01:
             found.append(Note("fronts-unresolved", Severity.WARNING, share=100.0 * self.unresolved()))
         return found + self.end_notes()

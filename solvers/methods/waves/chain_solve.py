@@ -16,6 +16,8 @@ COARSE_TOLERANCES = (1e-7, 1e-5)  # with each the echoes that count are some tim
 LOOSER = 10.0  # what is found with a tolerance this many times larger gives its error
 POOR = 1e-4  # error of a velocity [v]: with a larger one a chain is so sensitive that a grid may be better
 SURE = 2.0  # times what a grid differs by from a coarser one: measured on random chains, see the tests
+FINE_LENGTHS = 1e-3  # share of the length of a rod by which it may be changed, and nothing be seen of it
+CLOSER = 1.25  # times the first contact: how far it is looked at anew
 FIRST_LOOK = 20.0  # round trips of the longest rod: how far a grid looks at first for when the bodies part
 
 
@@ -52,7 +54,24 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
         grid.doubtful = doubtful
     rough = GridHistory(given, grid.reach, grid.reach, COARSER, trials=1)
     grid.error = max(grid.error, SURE * _difference(grid, rough))
+    _look_closer(grid)
     return grid if coarse is None or (grid.error < coarse.error and not grid.cut) else coarse
+
+
+def _look_closer(grid: GridHistory) -> None:
+    """The first contact on a grid of its own, where that of all the time solved is too coarse for it: what it was off
+    by is more than the last velocity, which may have died away by then, can show.
+    """
+    first = grid.contacts[0] if grid.contacts else None
+    if first is None or first.end == first.start or grid.change() <= FINE_LENGTHS:
+        return
+    until = min(CLOSER * first.end / grid.trip, grid.reach)
+    closer = GridHistory(grid.given, until, until).contacts if until < grid.reach else []
+    known = [each for each in closer if each.start < first.end]  # several, where their gaps are finer than a step
+    if known and known[-1].end < until * grid.trip:
+        was, now = ((each.peak_force, each.end - each.start) for each in (first, known[0]))
+        grid.first_off = max(abs(a / b - 1.0) for a, b in zip(was, now, strict=True))
+        grid.contacts[:1], grid.error = known, max(grid.error, grid.first_off)
 
 
 def _closing_time(pulse: Pulse, given: ChainScene) -> float:

@@ -1,4 +1,8 @@
-"""Whether the parts of a chain of rods will ever touch again, by the rule of `numerics.parting`."""
+"""Whether the parts of a chain of rods will ever touch again, by the rule of `numerics.parting`.
+
+A rod without end holds what is before it as a dashpot does: while nothing touches, the momentum P of that, at most
+sqrt(2 E M), goes into it, and moves its face by P / Z in all.
+"""
 
 import numpy as np
 
@@ -6,16 +10,21 @@ from ...jit.kernels import inner_kernel, kernel
 from ..parting import WATCHED_PERIODS, reach, swing_and_give
 from .energies import inside, rod_energy
 from .parts import ABSORBING, opens
-from .record import IMPULSE, PLACE, SPEED, integral, sample_at
+from .record import IMPULSE, PLACE, SPEED, TOTAL_RIGHT, integral, sample_at
 
 TRANSITS = 4.0  # of the whole chain for which no faces may touch at least: a period of one uniform rod that is fixed
 
 
 @kernel
 def alike(chain):
-    """Whether what the impactor leaves behind moves alike in every TRANSITS: a uniform rod, free or fixed."""
+    """Whether what the impactor leaves behind moves alike in every TRANSITS, or no more: one uniform rod."""
     last = chain.kind.size - 1
     return last == 1 and chain.contact == 0 and not 0.0 < chain.mass_right[last] < np.inf
+
+
+@inner_kernel
+def _endless(chain, end):
+    return end == chain.kind.size - 1 and chain.kind[end] == ABSORBING
 
 
 @inner_kernel
@@ -27,14 +36,15 @@ def _masses_beside(chain, begin, end):
     return near, np.inf if chain.kind[end] == ABSORBING or chain.spring > 0.0 else chain.mass_right[end]
 
 
-@inner_kernel
-def _of_part(chain, begin, end):
-    """Longest period of the rods between two nodes, as one body, and the compliances of its faces."""
+@kernel
+def of_part(chain, begin, end):
+    """Longest period of the rods between two nodes as one body, but for one without end, and how its faces give way."""
     if begin == end:  # a mass without a rod, on a spring perhaps
         give = 1.0 / chain.spring if chain.spring > 0.0 else 0.0
         return 2.0 * np.pi * np.sqrt(give * chain.mass_right[end]) if give > 0.0 else 0.0, give, give
     near, far = _masses_beside(chain, begin, end)
-    return swing_and_give(chain.impedance[begin:end], chain.transit[begin:end], near, far)
+    stop = end - 1 if _endless(chain, end) else end
+    return swing_and_give(chain.impedance[begin:stop], chain.transit[begin:stop], near, far)
 
 
 @kernel
@@ -45,9 +55,9 @@ def patience(chain):
         wait += TRANSITS * lag
     if alike(chain):
         return wait, wait
-    period = _of_part(chain, chain.contact, chain.kind.size - 1)[0]
+    period = of_part(chain, chain.contact, chain.kind.size - 1)[0]
     if chain.contact > 0:
-        period = max(period, _of_part(chain, 0, chain.contact)[0])
+        period = max(period, of_part(chain, 0, chain.contact)[0])
     return wait, max(wait, WATCHED_PERIODS * period)
 
 
@@ -55,11 +65,12 @@ def patience(chain):
 def _part(chain, record, begin, end, t):
     """What is between two nodes as one body: mass, velocity as a whole, how far its first and last faces reach."""
     near, far = _masses_beside(chain, begin, end)
-    mass, momentum, energy, after = near + far, 0.0, 0.0, np.bool_(True)
-    for rod in range(begin, end):
-        own = chain.impedance[rod] * chain.transit[rod]
-        mass += own
-        momentum += own * chain.drift[rod] + inside(chain, record, rod, t)
+    stop = end - 1 if _endless(chain, end) else end
+    own, momentum, energy, after = near, 0.0, 0.0, np.bool_(True)
+    for rod in range(begin, stop):
+        mass = chain.impedance[rod] * chain.transit[rod]
+        own += mass
+        momentum += mass * chain.drift[rod] + inside(chain, record, rod, t)
         energy += rod_energy(chain, record, rod, t)
     for node, beside in ((begin, near), (end, far)):
         if 0.0 < beside < np.inf:
@@ -69,10 +80,13 @@ def _part(chain, record, begin, end, t):
     if begin == end and chain.spring > 0.0:
         swinging, bent = sample_at(record, end, SPEED, t, after), sample_at(record, end, PLACE, t, after)
         energy += 0.5 * chain.mass_right[end] * swinging**2 + 0.5 * chain.spring * bent**2
-    speed = momentum / mass if mass < np.inf else 0.0
-    ringing = energy - (0.5 * mass * speed**2 if mass < np.inf else 0.0)
-    _, first, last = _of_part(chain, begin, end)
-    return mass, speed, reach(ringing, first), reach(ringing, last)
+    _, first, last = of_part(chain, begin, end)
+    if far == np.inf:
+        gone = 2.0 * np.sqrt(2.0 * max(energy, 0.0) * own) / chain.impedance[stop] if stop < end else 0.0
+        return far, 0.0, reach(energy, first) + gone, 0.0
+    speed = momentum / (own + far)
+    ringing = energy - 0.5 * (own + far) * speed**2
+    return own + far, speed, reach(ringing, first), reach(ringing, last)
 
 
 @kernel
@@ -101,6 +115,8 @@ def clear(chain, record, first_mass, t):
         passed = integral(record, following, IMPULSE, t) if goes_on else 0.0
         if mass < np.inf:
             there -= passed / mass
+        elif _endless(chain, following):
+            there = sample_at(record, last - 1, TOTAL_RIGHT, t, np.bool_(True)) / chain.impedance[last - 1]
         if speed < slower or chain.gap[node] + there - place <= ahead + back:
             return False
         if not goes_on:
