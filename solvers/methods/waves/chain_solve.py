@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ...bodies import Pulse
+from ...bodies import Pulse, Waveguide
 from ...numerics.waves.record import IMPULSE
 from ...scene import Scene
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS
@@ -32,7 +32,8 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
     history = ExactHistory(given, until, tolerance)
     if not history.gave_up:
         return history
-    reach, coarse = history.reach, None
+    reach, coarse, sprung = history.reach, None, given.chain.spring > 0.0  # of which the grid knows nothing
+    whole = history if sprung else None
     del history  # a hundred megabytes
     for looser in COARSE_TOLERANCES:
         if looser > tolerance:
@@ -41,8 +42,10 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
                 coarse.error = max(coarse.error, _difference(coarse, ExactHistory(given, until, LOOSER * looser)))
                 break
             reach, coarse = coarse.reach, None
-    if coarse is not None and coarse.error <= POOR:
+    if coarse is not None and (sprung or coarse.error <= POOR):
         return coarse
+    if whole is not None:
+        return whole
     horizon = max(2.0 * reach, FIRST_LOOK * max(rod.round_trip_time for rod in given.rods) / given.trip)
     grid = GridHistory(given, until, horizon)
     shown = grid.contacts[-1].end / given.trip + AFTERGLOW
@@ -73,8 +76,9 @@ def _look_closer(grid: GridHistory) -> None:
 
 def _closing_time(pulse: Pulse, given: ChainScene) -> float:
     """Of all gaps [s], where all before each goes on with the momentum that the force gives; none if that pulls."""
-    moved = np.cumsum([rod.mass for rod in given.target.rods])[:-1]
-    gaps = np.array([joint.gap for joint in given.target.joints])
+    target = given.scene.target.known_as(Waveguide)
+    moved = np.cumsum([rod.mass for rod in target.rods])[:-1]
+    gaps = np.array([joint.gap for joint in target.joints])
     return float(moved @ gaps) / pulse.impulse if pulse.impulse > 0.0 else 0.0
 
 
@@ -87,7 +91,7 @@ def _difference(history: ChainHistory, coarse: ChainHistory) -> float:
     difference = np.abs(pushed[0] - pushed[1])
     if given.scene.prescribed_force:
         return float(difference.max() * given.force_unit * given.trip / (given.scene.target.mass * given.speed))
-    return float(difference[given.contact] / given.masses[-1])
+    return float(difference[given.contact] / given.striker)
 
 
 def _pushed(history: ChainHistory, node: int) -> float:
