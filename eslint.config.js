@@ -1,4 +1,5 @@
 import js from '@eslint/js';
+import handlers from './eslint.handlers.js';
 import texts from './eslint.texts.js';
 
 const BROWSER = [
@@ -34,8 +35,8 @@ export default [
   {
     files: ['app/static/**/*.js'],
     languageOptions: { globals: Object.fromEntries(BROWSER.map((name) => [name, 'readonly'])) },
-    plugins: { texts },
-    rules: { 'texts/catalogued': 'error' },
+    plugins: { handlers, texts },
+    rules: { 'handlers/silent': 'error', 'texts/catalogued': 'error' },
   },
   {
     files: ['tests/js/**/*.js'],

@@ -48,12 +48,12 @@ def measure() -> dict[str, object]:
 
     def explicit_run():
         started()
-        newmark.march_explicit(*of_law[1:], False, explicit, explicit_step, u, v, STEPS, 0, STEPS, record)
+        newmark.march_explicit(*of_law[1:], False, explicit, 0.0, explicit_step, u, v, STEPS, 0, STEPS, record)
 
     def implicit_run():
         started()
         still = implicit.wholes.still()
-        newmark.march_implicit(*of_law, implicit, explicit_step, u, v, still, STEPS, 0, STEPS, record)
+        newmark.march_implicit(*of_law, implicit, 0.0, explicit_step, u, v, still, STEPS, 0, STEPS, record)
 
     beam = line(scene.impactor.mesh(1), solvers.load("figure-8.9").target.mesh(NODES))
     bent, turned = np.zeros(beam.mass.shape[1]), np.zeros(beam.mass.shape[1])
@@ -63,7 +63,7 @@ def measure() -> dict[str, object]:
         bent[:], turned[:] = 0.0, 0.0
         turned[0] = 1.0
         still = bending.wholes.still()
-        newmark.march_implicit(*of_law, bending, BEAM_STEP, bent, turned, still, STEPS, 0, STEPS, of_beam)
+        newmark.march_implicit(*of_law, bending, 0.0, BEAM_STEP, bent, turned, still, STEPS, 0, STEPS, of_beam)
 
     unit = 1e9 / (NODES * STEPS)
     bare, full, _ = paired_medians(floor, explicit_run, 15)

@@ -20,20 +20,17 @@ from .bodies import (
     Pulse,
     RigidMass,
     Rod,
-    Rods,
     Wall,
     Waveguide,
-    check_struck,
     in_space,
     read_body,
-    read_normal,
 )
-from .bodies.drop import fallen, height_and_gravity
+from .bodies.drop import STANDARD_GRAVITY, fallen, height_and_gravity, read_gravity, with_gravity
 from .bodies.lumped import SPEED_RANGE
-from .contact import LAWS, Rigid, check_law
+from .contact import Rigid, check_law
 from .contact.duration import contact_time
-from .contact.friction import read_friction
 from .contact.protocol import Law
+from .contact_table import chain_laws, read_contact_normal, read_joint_laws, read_law
 from .numerics.rigid import impulses
 from .validation import SceneError, allowed, told
 
@@ -41,8 +38,7 @@ LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyo
 LONGEST_NOTE = 600  # characters
 RIGID: Any = Rigid()  # the contact of a scene that says nothing of it
 KEYS = ("title", "source", "note", "impactor", "target", "contact", "method", "view")
-IN_PLACE = {"velocity": ("height", "gravity"), "height": ("velocity",)}  # of what of an impactor a key stands
-IN_SPACE = ("normal", "friction")  # keys of a contact between bodies in space
+IN_PLACE = {"velocity": ("height",), "height": ("velocity",)}  # of what of an impactor a key stands
 
 
 @dataclass(frozen=True)
@@ -66,10 +62,12 @@ class Scene:
     note: str = ""
     friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
     view: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    gravity: float = 0.0  # that pulls the impactor along the axis towards the target [m/s2]
+    striker_laws: tuple[Law | None, ...] = ()  # as `joint_laws`, of a chain of rods that strikes
 
     def __post_init__(self) -> None:
         # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
-        if isinstance(self.impactor, Rod) and self.impactor.held and not self.given:
+        if isinstance(self.impactor, Waveguide) and self.impactor.held and not self.given:
             raise SceneError("impactor.support", self.impactor.support, allowed("choice", options=["free"]))
         check_law(type(self.contact))
 
@@ -84,8 +82,9 @@ class Scene:
         usual = target.usual_impactor()
         given = given if usual is None else {"impactor": usual} | dict(given)
         validation.required("", given, "impactor", allowed("a-table"))
+        given = with_gravity(given, target)
         impactor = _read_impactor(given["impactor"], target)
-        normal, friction = _read_normal(impactor, target, given.get("contact"))
+        normal, friction = read_contact_normal(impactor, target, given.get("contact"))
         if isinstance(impactor, Pulse):
             impactor = _on_rod(impactor, target, given.get("contact"))
         else:
@@ -98,8 +97,8 @@ class Scene:
         return cls(
             impactor,
             target,
-            _read_law("contact", given.get("contact", {"law": "rigid"}), impactor, target, normal is not None),
-            _read_joint_laws(impactor, target, given.get("contact", {"law": "rigid"})),
+            read_law("contact", given.get("contact", {"law": "rigid"}), impactor, target, normal is not None),
+            read_joint_laws(impactor, target, given.get("contact", {"law": "rigid"})),
             validation.text("title", given.get("title", "")),
             validation.text("source", given.get("source", "")),
             dict(given.get("method", {})),
@@ -108,6 +107,10 @@ class Scene:
             validation.text("note", given.get("note", ""), LONGEST_NOTE),
             friction,
             dict(given.get("view", {})),
+            read_gravity(given["impactor"])
+            if not any(isinstance(body, Mechanism) for body in (impactor, target))
+            else 0.0,
+            chain_laws("impactor", impactor, impactor.velocity - target.velocity) if impactor.rods else (),
         )
 
     def replace(self, changes: Mapping[str, Any]) -> "Scene":
@@ -131,6 +134,8 @@ class Scene:
             if isinstance(table, list):
                 raise SceneError(key, value, allowed("number-in-list", count=len(table)))
             table[last] = value
+            if path == ["impactor"] and last == "velocity" and "height" in table:
+                table.setdefault("gravity", STANDARD_GRAVITY)  # it keeps its weight
             for other in IN_PLACE.get(last, ()) if path == ["impactor"] else ():
                 table.pop(other, None)
         return Scene.from_table(tables)
@@ -162,12 +167,12 @@ class Scene:
         return validation.plain(tables | ({"method": self.method} if self.method else {}))
 
     def _dropped(self, impactor: dict[str, Any]) -> dict[str, Any]:
-        """The table of the impactor, with the height from which it falls where the scene gives that."""
+        """The table of the impactor, with its gravity, and the height of its fall where that is given."""
         given = self.given.get("impactor", {})
         if isinstance(self.target, Mechanism) and not isinstance(self.impactor, Pivoted):
             impactor = impactor | {"velocity": self.impactor.velocity}  # which may be zero, and cannot be left out
         if "height" not in given or fallen(given, self.impactor.kind)["velocity"] != self.impactor.velocity:
-            return impactor
+            return impactor | ({"gravity": self.gravity} if self.gravity else {})
         height, gravity = height_and_gravity(given)
         rest = {key: value for key, value in impactor.items() if key != "velocity"}
         return rest | {"height": height, "gravity": gravity}
@@ -251,6 +256,22 @@ class Scene:
         return np.subtract(*(impulses.point_velocity(in_space(body)) for body in (self.impactor, self.target)))
 
     @property
+    def weight_acceleration(self) -> float:
+        """By which its weight accelerates the impactor towards the target while nothing else pushes it [m/s2].
+
+        What is held stands in equilibrium under its own weight, and stays so: that drops out of the linear problem.
+        What nothing holds falls as the impactor does, so that weight has no say between them.
+        """
+        return self.gravity if self.target.held else 0.0
+
+    @property
+    def fall(self) -> float:
+        """By which both bodies accelerate towards each other without a touch [m/s2]: by the weight of the impactor, or
+        as a mechanism does by itself.
+        """
+        return self.weight_acceleration - self.target.acceleration
+
+    @property
     def reduced_mass(self) -> float:
         """m1 m2 / (m1 + m2) [kg]; that of one alone if the other is held."""
         if self.impactor.held and not isinstance(self.impactor, Mechanism):
@@ -263,6 +284,17 @@ class Scene:
         if self.normal is not None:
             return float(sum(impulses.kinetic_energy(in_space(body)) for body in (self.impactor, self.target)))
         return sum(body.kinetic_energy for body in (self.impactor, self.target) if not isinstance(body, Pulse))
+
+    @property
+    def rods(self) -> list[Rod]:
+        """Of both bodies, along which waves keep their shape, from left to right."""
+        return [*self.impactor.rods[::-1], *self.target.rods]
+
+    @property
+    def impedance(self) -> float:
+        """Of the struck end of the target [kg/s] or, where no rod is struck, of the end of the rod that strikes."""
+        rods = self.target.rods or self.impactor.rods
+        return rods[0].impedance
 
     @property
     def halting_time(self) -> float:
@@ -346,54 +378,3 @@ def _check_masses(impactor: AnyBody, target: AnyBody) -> None:
         low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
         bounds = {name: told(bound, impactor.mass, 3) for name, bound in (("low", low), ("high", high))}
         raise SceneError("impactor.mass", impactor.mass, allowed("impactor-mass", **bounds))
-
-
-def _read_normal(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[Any, float | None]:
-    """The normal and the friction of bodies in space, which meet each other or a stop only; None on an axis."""
-    if not isinstance(impactor, Body) and not isinstance(target, Body):
-        return None, None
-    if not isinstance(impactor, Body):
-        raise SceneError("impactor.kind", impactor.kind, allowed("body-strikes"))
-    if not isinstance(target, Body) and (not isinstance(target, Wall) or target.endless):
-        raise SceneError("target.kind", target.kind, allowed("body-or-stop"))
-    contact = validation.table("contact", {} if contact is None else contact, ("law", *IN_SPACE))
-    given = validation.required("contact", contact, "normal", allowed("normal"))
-    normal, friction = read_normal("contact.normal", given), read_friction(contact)
-    check_struck("impactor", impactor, normal, bool(friction))
-    check_struck("target", target, normal, bool(friction))
-    return normal, friction
-
-
-def _read_law(key: str, given: object, impactor: AnyBody, target: AnyBody, spatial: bool = False) -> Law:
-    """The contact law of two bodies from a table with the key law; bodies in space meet in one impulse."""
-    if not isinstance(given, Mapping):
-        raise SceneError(key, given, allowed("law-table"))
-    law: Any = LAWS[validation.choice(f"{key}.law", given.get("law", "rigid"), ("rigid",) if spatial else LAWS)]
-    check_law(law, f"{key}.law")
-    validation.table(key, given, ("law", *law.KEYS, *(IN_SPACE if spatial else ())))
-    try:
-        return law.read(given, impactor, target)
-    except SceneError as refused:  # laws name their keys as those of the impactor's contact
-        name = refused.key.removeprefix("contact.")
-        raise refused if name == refused.key else SceneError(f"{key}.{name}", refused.value, refused.reason) from None
-
-
-def _read_joint_laws(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[Law | None, ...]:
-    """Of a chain; where a law's constants depend on the speed of approach, that of the impact is taken.
-
-    Between balls it is that of the contact, with constants of their own where they follow from radii and materials.
-    """
-    if isinstance(target, Balls):
-        coming = [replace(ball, velocity=impactor.velocity) for ball in target.balls]
-        return tuple(
-            _read_law("contact", contact, front, behind)
-            for front, behind in zip(coming[:-1], target.balls[1:], strict=True)
-        )
-    if not isinstance(target, Rods):
-        return ()
-    coming = [replace(rod, velocity=impactor.velocity) for rod in target.rods]
-    pairs = zip(target.joints, coming[:-1], target.rods[1:], strict=True)
-    return tuple(
-        None if joint.bonded else _read_law(f"target.rods[{number}].contact", joint.contact or {}, front, behind)
-        for number, (joint, front, behind) in enumerate(pairs, 2)
-    )

@@ -69,6 +69,18 @@ def test_no_class_answers_by_getattr():
     assert found == []
 
 
+def test_tests_of_the_page_have_hands():
+    """What `fill` of Playwright puts into a field has come by no key: a page that takes none passes."""
+    found = [
+        f"{path.relative_to(ROOT)}:{each.lineno}"
+        for path in sorted((ROOT / "tests/app").rglob("*.py"))
+        for each in ast.walk(ast.parse(path.read_text()))
+        if isinstance(each, ast.Call) and isinstance(each.func, ast.Attribute) and each.func.attr == "fill"
+        if not (isinstance(each.func.value, ast.Name) and each.func.value.id == "np")
+    ]
+    assert found == [], "use type_into, paste_into, slide or arrow of tests/app/page/hands.py"
+
+
 # Words that an engineer who reads would stumble over, and what we say instead.
 WORDS = {
     "told": "said, summary, given",

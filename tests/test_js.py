@@ -44,6 +44,22 @@ SAMPLES = {  # code, and whether its words belong in a catalogue
     "text('chart.zoom-in');": False,
     "new Error('the chart has no size yet');": False,
 }
+HANDLERS = {  # code, and whether a handler of it may return false
+    "field.onkeydown = ({ key }) => key === 'Enter' && check();": True,
+    "field.onkeydown = ({ key }) => { if (key === 'Enter') check(); };": False,
+    "area.onpointerleave = (event) => event.touch || hide();": True,
+    "range.onchange = () => (self.held = false);": True,
+    "range.onclick = range.onchange = () => !self.held;": True,
+    "make('input', { onkeydown: (event) => event.key !== 'Tab' });": True,
+    "make('input', { onkeydown: () => field.focus() });": False,
+    "const taken = ({ key }) => { return key === 'x'; }; field.onkeydown = (event) => taken(event);": True,
+    "const taken = ({ key }) => { if (key) check(); }; field.onkeydown = (event) => taken(event);": False,
+    "area.ondrop = function (event) { return event.files.length > 0; };": True,
+    "area.onkeydown = (event) => event.large ? hide() : event.count > 1;": True,
+    "area.onkeydown = (event) => event.large ? hide() : check();": False,
+    "area.onkeydown = async (event) => event.count > 1;": False,
+    "on.key = (event) => event.count > 1;": False,
+}
 LINT = """
 import { ESLint } from 'eslint';
 const eslint = new ESLint();
@@ -58,16 +74,25 @@ console.log(JSON.stringify(await Promise.all(JSON.parse(process.argv[1]).map(lin
 @pytest.fixture(scope="module")
 def broken() -> dict[str, list[str]]:
     """The rules that each sample breaks."""
-    codes = ["/* global make, text */\n" + code for code in SAMPLES]
+    samples = [*SAMPLES, *HANDLERS]
+    names = "make, text, field, area, range, self, on, check, hide"
+    codes = [f"/* global {names} */\n{code}" for code in samples]
     call = ["node", "--input-type=module", "--eval", LINT, json.dumps(codes)]
     found = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=SECONDS, check=True)
-    return dict(zip(SAMPLES, json.loads(found.stdout), strict=True))
+    return dict(zip(samples, json.loads(found.stdout), strict=True))
 
 
 @pytest.mark.browser
 @pytest.mark.parametrize("code, caught", SAMPLES.items())
 def test_words_of_the_page_in_its_code_are_found(broken, code, caught):
     assert ("texts/catalogued" in broken[code]) == caught
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("code, caught", HANDLERS.items())
+def test_a_handler_that_may_return_false_is_found(broken, code, caught):
+    """Which cancels the event: no key would reach a field."""
+    assert ("handlers/silent" in broken[code]) == caught
 
 
 def test_the_tools_are_pinned():

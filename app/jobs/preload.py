@@ -6,7 +6,6 @@ from contextlib import suppress
 from solvers.jit.compiling import NotCompiled, compiled_only
 from solvers.jit.shortcuts import shorten
 
-from ..page import reading  # noqa: F401 - what reads addresses, records and scenes
 from .compiler import usual, works
 
 

@@ -17,7 +17,7 @@ from solvers.jit.cache import FOLDER
 from .worker import serve
 
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
-PRELOADED = "app.jobs.preload"
+PRELOADED = ["app.page.reading", "app.jobs.preload"]  # what reads of strangers, what solves
 ALIVE_SECONDS = 1e-3  # [s] of computing, which a process that works has had in a second even on a busy machine
 AT_WORK = "RD"  # states of a process that has a processor, waits for one, or for a disk
 
@@ -129,7 +129,7 @@ def forks() -> Any:
         os.environ.setdefault("NUMBA_CACHE_DIR", str(FOLDER))
         for library in BLAS_THREADS:  # one each: there are as many processes as processors
             os.environ.setdefault(library, "1")
-        context.set_forkserver_preload([PRELOADED])
+        context.set_forkserver_preload(PRELOADED)
         _PREPARED.append(True)
     return context
 

@@ -17,7 +17,7 @@ FOLLOWED = {
     "law",
     *STIFFNESS.values(),
 }  # of choices, those that some kernel follows
-SHOWN = {*PLAIN, *CHARTS["axial"]}  # of what stands below the picture: analyses are solved by a server
+SHOWN = {*PLAIN, "forces", *CHARTS["axial"]}  # of what stands below the picture: analyses are solved by a server
 
 
 def runs_alone(lesson: Lesson) -> bool:

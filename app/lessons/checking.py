@@ -21,7 +21,7 @@ from .lesson import Lesson, Number, Order, Part, Scene, Set, Sketch, Span, Step,
 from .problems import LessonError, Problem, Problems
 from .reading import Read, read_in_full
 from .showing import has
-from .solving import Shown, meets, solved
+from .solving import Shown, fallen, meets, solved
 
 PLACES = 9  # of a range, at which a goal is tried
 PLACES_ANYWHERE = 41
@@ -66,6 +66,7 @@ class _Check:
 
     def __init__(self, read: Read, seconds: float = math.inf):
         self.problems, self.whole = Problems(), True
+        self.opens = False  # whether a drop is shown as a whole by now
         self.known: dict[str, Shown | None] = {}
         self.answers: dict[str, Solved] = {}
         self.ends = time.process_time() + seconds
@@ -82,7 +83,10 @@ class _Check:
         shown = self._solved(step)
         if shown is None:
             return
-        times = times_of(shown.solution)
+        self.opens = next(
+            ("opening" in part.show for part in step.parts if isinstance(part, Scene) and part.show), self.opens
+        )
+        times = fallen(shown) if self.opens else times_of(shown.solution)
         for use in read.uses:
             if use.step == number and use.event not in times:
                 names = [name for name in times if name != "second" and name[-1] not in "3456789"]

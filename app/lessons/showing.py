@@ -1,4 +1,4 @@
-"""What a step shows below its picture: rows over time, or charts and analyses of the page."""
+"""What a step shows: the bodies, or the picture its scene opens with; below that rows over time, or charts."""
 
 from ..views.registry import VIEWS
 from .fields import Fields
@@ -6,6 +6,7 @@ from .solving import Shown
 from .stage import Stage
 
 PLAIN = ("bodies", "rows")
+PICTURES = {"axial": ("forces", "opening")}  # arrows on the bodies; the picture that the scene opens with: a drop
 CHARTS = {  # of the page, by kind of scene
     "axial": ("force", "moved", "indentation"),
     "beam": ("force", "moved", "indentation", "dispersion"),
@@ -19,9 +20,10 @@ MOST = 2  # of both at once
 def read_shown(fields: Fields, stage: Stage) -> tuple[str, ...] | None:
     """Names of a list `show`, of what there is for this kind of scene; None without one."""
     analyses = [view.key for view in VIEWS if view.key in ANALYSES and stage.kind in view.kinds]
-    found = fields.names("show", [*PLAIN, *CHARTS[stage.kind], *analyses])
-    charts = [name for name in found or () if name not in PLAIN]
-    if found and (len(charts) > MOST or (charts and "rows" in found)):
+    pictures = [name for name in PICTURES.get(stage.kind, ()) if name != "opening" or stage.drops]
+    found = fields.names("show", [*PLAIN, *pictures, *CHARTS[stage.kind], *analyses])
+    charts = [name for name in found or () if name not in (*PLAIN, *pictures)]
+    if found and (len(charts) > MOST or (charts and {"rows", "opening"} & {*found})):
         fields.problem("show", "charts-and-rows", most=MOST)
     return found
 
@@ -29,7 +31,7 @@ def read_shown(fields: Fields, stage: Stage) -> tuple[str, ...] | None:
 def has(shown: Shown, name: str) -> bool:
     """Whether there is anything of it in this impact."""
     solution, chosen = shown.solution, shown.request.chosen
-    if name in ("force", "reactions"):
+    if name in ("force", "forces", "reactions"):
         return solution.peak_force is not None
     if name == "indentation":
         return solution.peak_indentation is not None

@@ -11,9 +11,11 @@ from solvers.accuracy.reference import exact_solution
 from ..choices.request import Request
 from ..choices.scene_of import own_choices
 from ..messages.encoding import read_header
+from ..messages.fall import fall_fields
 from ..messages.mechanism.frame import mechanism_solution
 from ..messages.space import bodies_frame
 from ..messages.transverse import main_solution
+from .events import MOST
 from .lesson import Goal, Step
 
 
@@ -39,6 +41,14 @@ SOLVED: dict[str, Callable[[Request], Solution]] = {
         request.scene
     ),
 }
+
+
+def fallen(shown: Shown) -> dict[str, float]:
+    """When what is dropped touches, again and again, from the release on [s]: as its scene opens on the page."""
+    found = fall_fields(shown.request, shown.solution)[1].get("bounces", np.zeros((0, 4)))
+    times = {f"-{number}" if number > 1 else "": float(time) for number, (time, *_) in enumerate(found[:MOST], 1)}
+    return {f"{kind}{which}": time for which, time in times.items() for kind in ("touch", "part")}
+
 
 Quantity = Callable[[Shown], float | None]
 
@@ -85,9 +95,18 @@ QUANTITIES = {kind: IN_SPACE if kind == "bodies" else ON_A_LINE for kind in SOLV
 COUNTED = ("contacts", "sticks")  # that can be equal to a number
 
 
+SLIGHT = 1e-6  # of it, which methods may be wrong by
+SIZES = {"restitution": 1.0, "energy_lost": 1.0, "impactor_spin": 1.0, "target_spin": 1.0}  # of what is zero
+
+
 def meets(shown: Shown, goal: Goal) -> bool:
-    """Whether an impact meets a goal."""
+    """Whether an impact meets a goal, by more than its methods may be wrong: a ball that stops does not go on."""
     value = QUANTITIES[shown.kind][goal.quantity](shown)
     if value is None:
         return False
-    return {"=": value == goal.value, "<": value < goal.value, ">": value > goal.value}[goal.relation]
+    if goal.relation == "=":
+        return value == goal.value
+    velocity = goal.quantity.endswith("_velocity")
+    size = float(shown.request.chosen["speed"]) if velocity else SIZES.get(goal.quantity, 0.0)
+    beyond = goal.value - value if goal.relation == "<" else value - goal.value
+    return beyond > SLIGHT * max(abs(goal.value), abs(value), size)

@@ -18,6 +18,8 @@ from .events import names_in
 from .fields import Fields
 from .problems import Problems, wanted
 
+DROP_HEIGHT = "drop_height"  # a slider of lessons, by which the page changes the speed
+
 
 def known_scene(name: object, line: int, key: str, problems: Problems) -> str | None:
     """The name of a built-in scene; of another word a problem, and None."""
@@ -46,6 +48,13 @@ class Stage:
     def kind(self) -> str:
         """Of the scene, by its name in messages."""
         return kind_of(self._base()).NAME
+
+    @property
+    def drops(self) -> bool:
+        """Whether the scene lets its striker fall on what is held, from a height."""
+        base = self._base()
+        given = base.given.get("impactor", {})
+        return "height" in given and base.target.held and base.impactor.free_mass
 
     def events(self) -> tuple[str, ...]:
         """Names of those that can happen."""
@@ -103,8 +112,8 @@ class Stage:
         return None
 
     def sliders(self, fields: Fields) -> tuple[str, ...]:
-        """Several of them."""
-        return fields.names("sliders", self.numeric()) or ()
+        """Several of them; of what is dropped the height, too, in place of the speed."""
+        return fields.names("sliders", [*self.numeric(), *([DROP_HEIGHT] if self.drops else [])]) or ()
 
 
 def _can_be(name: str, value: Any) -> bool:

@@ -1,5 +1,6 @@
 """What the browser needs of a body that is dropped on what is held: its bounces, and its height over time."""
 
+import math
 from time import perf_counter
 from typing import Any
 
@@ -86,8 +87,11 @@ def flights(found: Bounces) -> tuple[np.ndarray, np.ndarray]:
             break
         shares = np.linspace(0.0, 1.0, INSTANTS[number >= FINE])
         begin = bounce.time + (bounce.contact_time or 0.0)
-        times.append(begin + 2.0 * bounce.rebound / found.gravity * shares)
-        heights.append(4.0 * bounce.height * shares * (1.0 - shares))
+        lasts = (bounce.rebound + math.sqrt(2.0 * found.gravity * bounce.height)) / found.gravity
+        below = bounce.height - 0.5 * bounce.rebound**2 / found.gravity  # it may leave before it is back at nought
+        since = lasts * shares
+        times.append(begin + since)
+        heights.append(np.maximum(below + since * (bounce.rebound - 0.5 * found.gravity * since), 0.0))
     if found.rest_time is not None and found.rest_time > times[-1][-1]:
         times.append(np.array([found.rest_time]))
         heights.append(np.zeros(1))

@@ -43,6 +43,7 @@ def common(scene: Scene, request: Request | None, notes: Collection[Note] = ()) 
         "title": scene.title,
         "source": scene.source,
         "note": scene.note,
+        **({"weight": scene.weight_acceleration} if scene.weight_acceleration else {}),
         "parts": part_records(request),
         "unshown": unshown(scene),
         "opens": (request.opening([note.code for note in notes]) if request else Opening()).table(),

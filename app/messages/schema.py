@@ -22,6 +22,7 @@ COMMON: Fields = {
     "title": Field("string"),
     "source": Field("string"),
     "note": Field("string"),
+    "weight": Field("number", "by which its weight accelerates the impactor towards the target [m/s2]", True),
     "parts": Field("PartRecord[]", "bodies, and rods, links and joints one by one"),
     "unshown": Field("string[]", "keys that the scene sets and that have no control"),
     "opens": Field("Opens", "what the scene is opened with"),

@@ -276,6 +276,7 @@ export interface Common {
   title: string;
   source: string;
   note: string;
+  /** by which its weight accelerates the impactor towards the target [m/s2] */ weight?: number;
   /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
   /** keys that the scene sets and that have no control */ unshown: string[];
   /** what the scene is opened with */ opens: Opens;

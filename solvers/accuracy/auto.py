@@ -47,6 +47,7 @@ class Auto(Method):
     cancelled: Callable[[], bool] = field(default=never, repr=False)  # asked between two solves: enough of it?
 
     NAME = "auto"
+    WEIGHT = True  # the methods that it takes have it
     MOVES = True  # what it chooses sees a mechanism as it needs
 
     @property

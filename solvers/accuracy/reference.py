@@ -32,15 +32,15 @@ def reference(scene: SceneOrName) -> Solution:
     """
     scene = scene_of(scene)
     for method in (Waves(), Modal(modes=REFERENCE_MODES)):
-        if scene.normal is not None or method.refusal(scene) is None:
+        if scene.normal is not None or (method.refusal(scene) is None and not method.neglects_weight(scene)):
             return method.solve(scene)
     return METHODS[usual_method(scene)].read({}).solve(scene)
 
 
 def exact_waves(scene: Scene) -> Waves | None:
-    """Waves as exact as they come, if they can solve the scene."""
+    """Waves as exact as they come, if they can solve the scene with all that acts in it."""
     method = Waves(tolerance=EXACT_TOLERANCE)
-    return method if method.refusal(scene) is None else None
+    return method if method.refusal(scene) is None and not method.neglects_weight(scene) else None
 
 
 def swept_reference(scene: Scene) -> Solution:

@@ -102,7 +102,10 @@ def refusals(scene: Scene) -> dict[str, Note]:
 
 
 def _of(method: Method, scene: Scene) -> list[Ladder]:
-    """As it is, if no resolution matters or one makes it coarser than that, and refined by its resolution."""
+    """As it is, if no resolution matters or one makes it coarser than that, and refined by its resolution; nothing of
+    one that leaves out weight, as no resolution brings that back."""
+    if method.neglects_weight(scene):
+        return []
     for resolution in method.RESOLUTIONS:
         if resolution in SPATIAL and not _rings(scene):
             continue

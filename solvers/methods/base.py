@@ -16,12 +16,14 @@ from ..solution.bounds import bounded
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
+from .fronts import notes_on_ripple
 from .mechanisms import in_laboratory
 from .options import options_of
 from .start import note_on_start
 from .striking import as_striking
 from .theory_limits import notes_on_theory
 from .validity import MAX_TRUSTED_ESTIMATE, beside_elastic, bodies_that_bend, general_notes
+from .weight import falls_along, leave_out_weight, weight_too_large
 
 AFTERGLOW = 1.0  # round trips shown after the bodies have parted for good, where no duration is asked for
 MAX_ROUND_TRIPS = 20_000.0  # nothing is followed for longer
@@ -53,6 +55,8 @@ class Method(ABC):
     MOVES: ClassVar[bool] = False  # whether it follows a mechanism as it moves, not its impact alone
     ROWS: ClassVar[bool] = False  # whether it knows a row of balls, beside one body
     DAMPED: ClassVar[bool] = False  # whether it knows damping of their own
+    WEIGHT: ClassVar[bool] = False  # whether the weight of the impactor acts while it touches
+    RIPPLES: ClassVar[bool] = False  # whether it sums up modes or elements, which ripple behind a front
     WAVES: ClassVar[bool] = True  # whether waves run in the bodies that it solves
     TRUSTED_ERROR: ClassVar[float] = MAX_TRUSTED_ESTIMATE  # up to which its estimate is not reported
     # options that make it finer, the first that a scene allows; none: one answer
@@ -89,7 +93,15 @@ class Method(ABC):
             return Note("refusals.beam", Severity.REFUSAL)
         if not self.DAMPED and any(body.damping for body in bodies_that_bend(scene)):
             return Note("refusals.damped-beam", Severity.REFUSAL)
-        return self.why_not(scene)
+        return self.why_not(scene) or (None if self.takes_weight(scene) else weight_too_large(scene))
+
+    def takes_weight(self, scene: Scene) -> bool:
+        """Whether it has what weight does in this scene; one that has not says how large that is, up to a limit."""
+        return self.WEIGHT
+
+    def neglects_weight(self, scene: Scene) -> bool:
+        """Whether weight acts in the scene that it leaves out."""
+        return bool(scene.weight_acceleration) and not self.takes_weight(scene)
 
     @abstractmethod
     def _solve(self, scene: Scene, duration: float | None) -> Solution: ...
@@ -113,10 +125,12 @@ class Method(ABC):
             shortest = 1e-6 * impact.time_unit
             duration = validation.number("method.duration", duration, shortest, longest, "s")
         before = compiled()
-        with compiling((impact.contact, *impact.joint_laws)):
+        with compiling((impact.contact, *impact.striker_laws, *impact.joint_laws)):
             solution = self._solve(impact, duration)
         if impact is not scene:
             solution = in_laboratory(solution, scene)
+        if self.neglects_weight(impact):
+            leave_out_weight(solution)
         whole, seconds = duration is None, compiled() - before
         solution.refine("diagnostics", lambda _, found: found | {"compile_time": seconds})
         solution.refine("notes", lambda solved, own: [*own, *self._general_notes(solved, own, whole)])
@@ -144,8 +158,9 @@ class Method(ABC):
         notes = general_notes(
             solution, own, whole, self._miscounts(), self._resolution(solution.scene), self.TRUSTED_ERROR
         )
+        notes += notes_on_ripple(solution) if self.RIPPLES else []
         notes += notes_on_theory(solution, self.WAVES)
-        notes += self._notes_on_links(solution.scene)
+        notes += self._notes_on_links(solution.scene) + falls_along(solution.scene)
         return [note for note in notes if note not in own]
 
     def _notes_on_links(self, scene: Scene) -> list[Note]:

@@ -10,11 +10,15 @@ from typing import Any
 
 import numpy as np
 
-from . import damped_path
+from . import damped_path, weighted_path
 from .closed_collisions import Collision, follow_power, follow_sine
 from .law_functions import constants_of
 from .path_collision import STAGES, STRETCHES, follow_path, instants, stretches
 from .waves.laws import law_function
+
+# of what never leaves, with damping and without: then it is followed no longer
+SWINGS_TO_REST, SWINGS = 100.0, 5.0
+MOST_INSTANTS = 40_000  # of a contact under weight, which may take for ever to come to rest
 
 
 def duration_of_power(exponent: float) -> float:
@@ -61,3 +65,25 @@ def damped_collision(law: Any, mass: float, speed: float, unit: float) -> Collis
         found, room = Collision.of(room), 2 * room
         count = damped_path.follow_damped(ask, constants, slopes, mass, speed, unit, cell, found)
     return Collision(*(values[:count] for values in found))
+
+
+def weighted_collision(
+    law: Any, mass: float, speed: float, fall: float, unit: float, deepest: float, on: bool
+) -> tuple[Collision, int, bool]:
+    """Any law, under a weight that accelerates the mass by `fall` [m/s2], by `weighted_path.follow_weighted`; `unit`
+    [s]: about a contact time; `deepest`: of earlier contacts [m]; on: followed however long it swings.
+
+    Returns it, how it has ended, and whether the body can never leave. Error: 1e-11 of the largest speed.
+    """
+    ask, constants, slopes = law_function(type(law)), constants_of([law])[0], np.empty(2)
+    cell, room, ended, size = np.empty((damped_path.ROWS, damped_path.STAGES)), damped_path.USUAL, 0, 0
+    fastest = math.hypot(speed, fall * unit)
+    scales = fastest * unit, fastest, mass * fastest / unit, fall * unit / fastest
+    found, bound, swings = Collision.of(room), False, SWINGS_TO_REST if law.LOSSY else SWINGS
+    swings = math.inf if on else swings
+    while ended == weighted_path.NO_ROOM and room <= MOST_INSTANTS:
+        found, room = Collision.of(room), 2 * room
+        ended, size, bound = weighted_path.follow_weighted(
+            ask, constants, slopes, (mass, speed, deepest, swings), scales, cell, found
+        )
+    return Collision(*(values[:size] for values in found)), ended, bool(bound)

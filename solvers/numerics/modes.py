@@ -100,12 +100,12 @@ class Modes:
         """Of a body as a whole that moved at `before`, by that of the place where it is struck [m/s]; or positions."""
         return struck if self.rigid_mean == 1.0 else before + self.rigid_mean * (struck - before)
 
-    def moving_energy(self, mass: float, before: float, struck: np.ndarray) -> np.ndarray:
+    def moving_energy(self, mass: float, before: float | np.ndarray, struck: np.ndarray) -> np.ndarray:
         """Kinetic energy of a body as a whole [J], whose mass is `mass` and which moved at `before`."""
         if not np.isfinite(self.rigid_mass):
             return np.zeros_like(struck)
         gained = struck - before
-        return (0.5 * mass * before**2 if before else 0.0) + self.rigid_mass * gained * (before + 0.5 * gained)
+        return 0.5 * mass * before**2 + self.rigid_mass * gained * (before + 0.5 * gained)
 
     @property
     def shortest_period(self) -> float:

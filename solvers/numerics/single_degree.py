@@ -94,6 +94,59 @@ def on_spring(mass, carried, stiffness, speed, response):
         response.bent_rate[k] = -start * np.cos(own * since) if swings else 0.0
 
 
+class Sway(NamedTuple):
+    """A mass on a spring under its weight: u = sag + reach sin(frequency t - lag)."""
+
+    frequency: float  # [rad/s]
+    start: float  # rate of both as one [m/s]
+    sag: float  # at rest under the weight [m]
+    reach: float  # [m]
+    lag: float  # [rad]
+    parting: float  # [s]; infinite where the mass never leaves
+
+
+def sway(mass: float, carried: float, stiffness: float, speed: float, fall: float) -> Sway:
+    """Of a mass that strikes a spring that carries another; `fall` [m/s2] is what its weight gives it.
+
+    They part where the spring would draw the mass down faster than it falls: where u is below the sag by
+    fall / frequency^2. Without the carried mass that is u = 0; with it, and a slow impact, they never part.
+    """
+    frequency, start = math.sqrt(stiffness / (mass + carried)), speed * mass / (mass + carried)
+    sag = mass * fall / stiffness
+    reach, lag = math.hypot(start / frequency, sag), math.atan2(sag, start / frequency)
+    needed = fall / frequency**2 / reach
+    parting = (lag + math.pi + math.asin(min(needed, 1.0))) / frequency if needed < 1.0 + 1e-12 else math.inf
+    return Sway(frequency, start, sag, reach, lag, parting)
+
+
+def on_spring_under_weight(
+    mass: float, carried: float, stiffness: float, speed: float, fall: float, time: np.ndarray, last: int
+) -> Response:
+    """`on_spring` where its weight acts on the mass all the time; `last`: number of the instant at which they part."""
+    known, response = sway(mass, carried, stiffness, speed, fall), Response.of(time)
+    angle = known.frequency * time - known.lag
+    swing = known.reach * np.sin(angle)
+    depth, rate = known.sag + swing, known.reach * known.frequency * np.cos(angle)
+    since, down, left = time - time[last], depth[last], rate[last]
+    apart = np.arange(time.size) > last
+    own = math.sqrt(stiffness / carried) if carried > 0.0 else 0.0
+    freely = (
+        down * np.cos(own * since) + left * since * np.sinc(own * since / math.pi),
+        -down * own * np.sin(own * since),
+    )
+    freely = freely[0], freely[1] + left * np.cos(own * since)
+    swings = 1.0 if carried > 0.0 else 0.0
+    response.force[:] = np.where(apart, 0.0, mass * (fall + known.frequency**2 * swing))
+    response.position[:] = np.where(apart, down + since * (left + 0.5 * fall * since), depth)
+    response.velocity[:] = np.where(apart, left + fall * since, rate)
+    response.bent[:], response.bent_rate[:] = (
+        np.where(apart, swings * free, held) for free, held in zip(freely, (depth, rate), strict=True)
+    )
+    response.impulse[:] = mass * (speed - response.velocity + fall * time)
+    response.impulse[last + 1 :] = response.impulse[last]
+    return response
+
+
 def against_equal(
     mass: float, stiffness: float, speed: float, start: float, contact: np.ndarray, flight: np.ndarray
 ) -> Response:

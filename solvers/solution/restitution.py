@@ -24,29 +24,34 @@ def common_velocity(scene: Scene) -> float:
     return (m1 * scene.impactor.velocity + m2 * scene.target.velocity) / (m1 + m2)
 
 
-def restitution(scene: Scene, motion: Motion, parting: float, until: float) -> dict[str, float | None]:
+def restitution(
+    scene: Scene, motion: Motion, parting: float, until: float, fall: float = 0.0
+) -> dict[str, float | None]:
     """`newton` by centre-of-mass velocities at `until` [s], (4.40); `poisson` by impulses before and after the bodies
     have one velocity, (4.39); `newton_at_contact` by the touching surfaces just after `parting` [s], (4.45).
 
+    fall: of an impactor that flies under its weight from the parting on [m/s2].
     A held target counts as a body at rest, its mean over a period of vibration (4.43). Where a body turns about a pin
     there is no restitution of centres of mass, and none by impulses where bodies turn at all: they are None.
     """
     end, parted = np.array([until]), np.array([parting + JUST_AFTER * scene.time_unit])
-    impactor = float(motion.impactor_velocity(end)[0])
+    # what flies under its weight, as it was when it parted
+    impactor = float(motion.impactor_velocity(end)[0]) - fall * (until - parting)
     target = 0.0 if scene.target.held else float(motion.rigid_velocity(end)[0])
     face_velocity = motion.face_velocity if isinstance(motion, MovesFace) else motion.impactor_velocity
     apart = float(motion.end_velocity(parted)[0] - face_velocity(parted)[0])
+    searched = parting if fall else until  # then it speeds up again
     turns = scene.impactor.turns or scene.target.turns
     return {
         "newton": None if scene.target.swings else (target - impactor) / scene.speed,
-        "poisson": None if turns else poisson(motion, common_velocity(scene), until),
+        "poisson": None if turns else poisson(motion, common_velocity(scene), until, searched),
         "newton_at_contact": apart / scene.speed,
     }
 
 
-def poisson(motion: Motion, common: float, until: float) -> float | None:
-    """Impulse after over impulse before the end of compression; None if that never comes."""
-    instant = compression_time(motion, common, until)
+def poisson(motion: Motion, common: float, until: float, parting: float) -> float | None:
+    """Impulse after over impulse before the end of compression, which comes before `parting`; None if it never does."""
+    instant = compression_time(motion, common, parting)
     if instant is None:
         return None
     before = float(motion.impulse(np.array([instant]))[0])

@@ -22,14 +22,24 @@ def summary(
     target_final = _swing(scene.target, impulse) if scene.target.swings else 0.0
     if not scene.target.held:
         target_final = float(motion.rigid_velocity(end)[0])
+    together = touching(contacts, duration)
+    since = 0.0 if together else duration - contacts[-1].end
+    energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
+    fall = scene.weight_acceleration if "weight" in energies else 0.0  # some methods leave it out
+    gained = fall * since  # of what flies under its weight after the last parting: figures are those of that
+    final = float(motion.impactor_velocity(end)[0]) - gained
+    if gained:
+        moved = scene.impactor.mass * gained * (0.5 * gained + final)  # kinetic energy that the flight has changed
+        energies |= {"impactor": energies["impactor"] - moved, "weight": energies["weight"] + moved}
     return balanced(
         scene,
-        float(motion.impactor_velocity(end)[0]),
+        final,
         target_final,
         impulse,
-        {name: float(value[0]) for name, value in motion.energies(end).items()},
-        None if touching(contacts, duration) else restitution(scene, motion, contacts[-1].end, duration),
+        energies,
+        None if together else restitution(scene, motion, contacts[-1].end, duration, fall),
         wall_time,
+        scene.impactor.mass * fall * (duration - since) if fall else 0.0,
     )
 
 
@@ -46,11 +56,13 @@ def balanced(
     energies: dict[str, float],
     restored: dict[str, float | None] | None,
     wall_time: float,
+    weight: float = 0.0,
 ) -> dict[str, Any]:
-    """The figures of `summary` from the last velocities, the impulse and the energies, with what they are off by."""
+    """The figures of `summary` from the last velocities, the impulse and the energies, with what they are off by;
+    `weight`: its impulse on the impactor until then [N s]."""
     m1, m2 = scene.impactor.mass, scene.target.mass
     initial = scene.initial_energy
-    lost = impulse if scene.impactor.held else m1 * (scene.impactor.velocity - final)
+    lost = impulse if scene.impactor.held else m1 * (scene.impactor.velocity - final) + weight
     mismatches = [lost - impulse]
     if not scene.target.held:
         mismatches.append(m2 * (target_final - scene.target.velocity) - lost)

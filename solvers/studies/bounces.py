@@ -5,6 +5,8 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
+import numpy as np
+
 from .. import validation
 from ..bodies import Mechanism
 from ..bodies.drop import GRAVITY_RANGE, HEIGHT_RANGE, STANDARD_GRAVITY, height_and_gravity
@@ -13,6 +15,7 @@ from ..methods.base import Method, SceneNotSupported, never
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution, apparent_time
+from ..solution.summary import touching
 from ..solve import solve
 from ..text.notes import Note, Severity, coded
 from ..validation import allowed
@@ -45,7 +48,7 @@ class Bounces:
     gravity: float  # [m/s2]
     cut: float  # height below which no impact is solved any more, as a part of the first
     bounces: list[Bounce]
-    ended: str  # by: cut, contact (it outlasts the flight), stays, count
+    ended: str  # by: cut, contact (its weight is left out, and matters), stays, count
     rest_time: float | None  # from the release to rest [s]; None: it never rests
     path: float | None  # way up and down to rest [m]
     notes: list[Note] = field(default_factory=list)
@@ -68,13 +71,13 @@ def bounces(
 ) -> Bounces:
     """The impacts of a body that falls on what is held, each solved for its speed, with free flights between them.
 
-    A scene with a velocity is taken as dropped from v^2 / (2 g). Bounces come ever faster and never end (Zeno): below
-    the height `cut`, as a part of the first, they are summed up with the last restitution e, 2 v / (g (1 - e)) in
-    time and v^2 / (g (1 - e^2)) in way, v being the last rebound. It ends before that where a contact outlasts the
-    flight to it, since weight then has a say in it; where the body stays; or after `count` impacts. Each is solved
-    until the bodies part for good, whatever duration the scene names. `solved` is given the solution of each.
-    Assumes: the struck body has come to rest by the next impact, and has not yielded where that falls; no weight during
-    contact; no air.
+    Its weight acts on it throughout: how high it rises depends on how far it comes down, and a loss that is large
+    enough keeps it from leaving at all. A scene with a velocity is taken as dropped from v^2 / (2 g). Bounces come ever
+    faster and never end (Zeno): below the height `cut`, as a part of the first, they are summed up with the last
+    restitution e, 2 v / (g (1 - e)) in time and v^2 / (g (1 - e^2)) in way, v being the last rebound. It ends before
+    that where the body never leaves, where weight matters to a method that leaves it out, or after `count` impacts.
+    Each is solved until the bodies part for good, whatever duration the scene names. `solved` is given the solution of
+    each. Assumes: the struck body has come to rest by the next impact, and has not yielded where that falls; no air.
     Raises SceneError for an impactor that is no mass, a target that is not held, or a mechanism, which moves on (see
     `Multibody`); and for values out of range.
     """
@@ -92,26 +95,46 @@ def bounces(
     found, ended, used = [], "count", {}
     undated = {"method": {name: value for name, value in scene.method.items() if name != "duration"}}
     while not found or (len(found) < count and not cancelled()):
-        solution = solve(scene.replace({"impactor.velocity": speed} | undated), method)
+        falling = scene.replace({"impactor.velocity": speed, "impactor.gravity": gravity} | undated)
+        try:
+            solution = solve(falling, method)
+        except SceneNotSupported as refused:
+            if not found or refused.reason.code != "refusals.weight":
+                raise
+            ended = "contact"
+            break
         if solved is not None:
             solved(solution)
-        used, rebound = solution.method, -float(solution.impactor_velocity)
-        lasted = apparent_time(solution.contacts)
-        rises = 0.5 * max(rebound, 0.0) ** 2 / gravity
+        used, lasted = solution.method, apparent_time(solution.contacts)
+        rebound, rises = _leaves(solution, gravity)
         found.append(Bounce(time, speed, rebound, rebound / speed, lasted, rises, solution.peak_force))
-        flight = 2.0 * max(rebound, 0.0) / gravity
-        if rebound < SPEED_RANGE[0]:
+        if rebound < SPEED_RANGE[0] or rises <= 0.0:
             ended = "stays"
-        elif lasted is not None and lasted > flight:
-            ended = "contact"
         elif rises < max(cut * height, HEIGHT_RANGE[0]):
             ended = "cut"
         else:
-            time, speed = time + (lasted or 0.0) + flight, rebound
+            speed = math.sqrt(2.0 * gravity * rises)
+            time += (lasted or 0.0) + (rebound + speed) / gravity
             continue
         break
     rest, path = _to_rest(height, gravity, found, ended)
     return Bounces(scene, used, height, gravity, cut, found, ended, rest, path, _notes(scene, found, ended))
+
+
+def _leaves(solution: Solution, gravity: float) -> tuple[float, float]:
+    """With which speed [m/s], and to which height above where the next impact begins [m]; nothing of what stays.
+
+    It may leave before it is back there, as where damping has used up the force, or a rod is still bent.
+    """
+    if solution.contacts and touching(solution.contacts, solution.duration):
+        return 0.0, 0.0
+    rebound, rises = -float(solution.impactor_velocity), 0.0
+    if rebound > 0.0:
+        parting = solution.contacts[-1].end
+        below = float(solution.known_motion.impactor_position(np.array([parting]))[0])
+        below -= solution.residual_indentation or 0.0
+        rises = max(0.5 * rebound**2 / gravity - below, 0.0)
+    return rebound, rises
 
 
 def _dropped_from(scene: Scene) -> tuple[float, float]:
@@ -139,8 +162,7 @@ def _notes(scene: Scene, found: list[Bounce], ended: str) -> list[Note]:
     if scene.contact.PLASTIC and len(found) > 1:
         notes.append(Note("bounces-on-fresh-spots", Severity.WARNING))
     if ended == "contact":
-        last = found[-1]
-        notes.append(Note("contact-outlasts-flight", Severity.REMARK, contact=last.contact_time, bounces=len(found)))
+        notes.append(Note("weight-matters", Severity.REMARK, bounces=len(found) + 1))
     if ended == "count":
         notes.append(Note("bounces-go-on", Severity.REMARK, bounces=len(found), elastic=found[-1].restitution >= 1.0))
     return notes

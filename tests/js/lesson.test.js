@@ -101,6 +101,16 @@ test('events have their names, and goals are met or not', () => {
   assert.deepEqual(curveOf(FRAME, 1e-3), { x: [0, 1], y: [3, 1] });
 });
 
+test('what stops goes neither way, whatever rounding says', () => {
+  for (const final of [1e-16, -1e-16, 3e-7, 0]) {
+    const frame = { ...FRAME, speed: 2, chosen: { speed: 2 }, exact: { ...FRAME.exact, final } };
+    for (const relation of ['<', '>'])
+      assert.ok(!meets(frame, { quantity: 'impactor_velocity', relation, value: 0 }), `${relation} ${final}`);
+  }
+  const slow = { ...FRAME, speed: 2, chosen: { speed: 2 }, exact: { ...FRAME.exact, final: 1e-3 } };
+  assert.ok(meets(slow, { quantity: 'impactor_velocity', relation: '>', value: 0 }));
+});
+
 test('keys draw a line with a corner, lift the pen, and go back', () => {
   const chart = { until: 2, axis: [0, 120], given: [0, 36] };
   const drawn = new Drawn(chart);

@@ -6,7 +6,9 @@ import { filledOf, placing, seamIn } from '../../app/static/axial/traces.js';
 import { pushesOf } from '../../app/static/axial/question.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
 import { impactsOf, nearest } from '../../app/static/fall/lens.js';
-import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
+import { indentationOf } from '../../app/static/axial/tracks.js';
+import { fallOf } from '../../app/static/fall/fall.js';
+import { eventsOf as fallEvents } from '../../app/static/fall/view.js';
 import { spread, windowOf } from '../../app/static/opening/happens.js';
 import { withBesides } from '../../app/static/opening/besides.js';
 import { weave } from '../../app/static/opening/rows.js';
@@ -315,4 +317,20 @@ test('the force of before keeps its seconds where T has become longer', () => {
   assert.deepEqual(xs({ trip: 1e-4 }), [0, 1]);
   assert.deepEqual(xs({ trip: 2e-4 }), [0, 0.5]);
   assert.deepEqual(xs({}), [0, 1]); // a clock of seconds
+});
+
+test('a dent stays once they have parted, and is deeper after a second contact', () => {
+  const motionTime = [0, 1, 2, 3, 4, 5, 6];
+  const field = { masses: [0, 3, 1, -1, 2, 1.5, -3], ends: [0, 0, 0, 0, -2, 0, 0] };
+  const contacts = [
+    [0, 2, 1, 1],
+    [3.5, 5, 1, 1],
+  ];
+  const frame = { exact: { contacts, residualIndentation: 3e-6 }, motionTime, speed: 2, trip: 1e-6 };
+  const [{ said, series }] = indentationOf(frame, field);
+  assert.deepEqual(series[0].y, [0, 3, 1, 1, 4, 1.5, 1.5]);
+  assert.deepEqual([said.length, said[0].t, said[0].value], [1, 5, 3e-6]);
+  const elastic = { ...frame, exact: { contacts, residualIndentation: 0 } };
+  const [{ said: nothing, series: near }] = indentationOf(elastic, field);
+  assert.deepEqual([near[0].y, nothing], [[0, 3, 1, 0, 4, 1.5, 0], []]);
 });

@@ -18,6 +18,8 @@ IMPACTORS = {
     "mass": {"kind": "mass", "mass": 1.0, "radius": 0.02},
     "sphere": {"kind": "sphere", "radius": 0.02},
     "rod": {key: value for key, value in ROD.items() if key != "support"},
+    "bonded rods": {"kind": "rods", "rods": [PIECE, PIECE]},
+    "touching rods": {"kind": "rods", "rods": [PIECE, PIECE | {"joint": "touching"}]},
     "beam": BEAM | {"support": "free-free", "at": 0.5},
     "pulse": {"kind": "pulse", "force": 1e4, "duration": 1e-4},
     "body": MOVING | {"centre": [0.0, 0.0, 0.05], "velocity": [0.0, 0.0, -1.0]},
@@ -37,7 +39,9 @@ TARGETS = {
     "half-space": {"kind": "half-space", "material": "steel"},
     "body": MOVING | {"centre": [0.0, 0.0, -0.05]},
 }
-REFUSED = {("beam", "touching rods")}  # no method knows both
+CHAINS = ("bonded rods", "touching rods")
+REFUSED = {("beam", "touching rods"), ("touching rods", "cantilever")}
+REFUSED |= {(chain, "damped beam") for chain in CHAINS}  # no method knows both
 
 
 def scene_of(impactor: str, target: str, law: str) -> Scene:

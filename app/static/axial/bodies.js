@@ -78,7 +78,7 @@ function away(c, middle) {
 export function striker(c, { impactor }, place, prediction) {
   const { middle, size } = place;
   const round = impactor.kind === 'sphere';
-  if (prediction !== null) {
+  if (prediction !== null && Math.abs(prediction - place.face) >= 1) {
     c.setLineDash([5, 4]);
     c.strokeStyle = COLORS.prediction;
     c.lineWidth = 1.5;

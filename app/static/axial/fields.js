@@ -198,7 +198,8 @@ export class WaveField extends Field {
       for (const v of this.profile(((c + 0.5) / columns) * this.frame.duration, what, profile))
         if (v !== 0) seen.push(Math.abs(v));
     }
-    if (seen.length) {
+    for (const value of this.rods.length > 1 ? [] : seen) most = Math.max(most, value); // all of it is on the scale
+    if (seen.length && this.rods.length > 1) {
       // a thin specimen must not take all the colour: few values are beyond the scale
       seen.sort((a, b) => a - b);
       return Math.max(seen[Math.floor(0.985 * (seen.length - 1))], 0.15 * seen[seen.length - 1], 1e-12);

@@ -7,6 +7,7 @@ import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { RigidField } from './fields.js';
+import { pushed } from './pushed.js';
 import { axis, endMass, masses, onward, push, runs, specimen, striker, struckBody, wall } from './bodies.js';
 import { cradle, swing } from './cradle.js';
 import { scaleBar } from './scale_bar.js';
@@ -42,8 +43,10 @@ export class Stage {
   largest = 1; // the end of the colours
   span = 1; // length drawn [m]; 0 where nothing has one
   moves = { reach: 1, pressed: 0, back: 0, ahead: 0 }; // how far [m]
+  time = 0; // that is drawn
   factor = 1; // by which movement is exaggerated
   scale = 1; // pixels in a unit of displacement
+  pushes = false; // forces of the contact are drawn as arrows
   leads = false; // the rows of the opening lie below it
   drawn = { left: 0, right: 0, rest: 0 }; // where rods are at rest, and the struck face [px]
   place = placing([0, 1], [0, 1], null); // where a place [m] of theirs is [px]
@@ -153,6 +156,7 @@ export class Stage {
   /** @param {number} t */
   draw(t) {
     const { canvas, field, frame } = this;
+    this.time = t;
     if (!frame) return;
     const sheet = cleared(canvas, this.root);
     if (!sheet) return;
@@ -272,6 +276,8 @@ export class Stage {
   #touch(c, x, middle, size) {
     c.fillStyle = COLORS.cursor;
     c.fillRect(x - 1.5, middle - size / 2 - 5, 3, size + 10);
+    if (this.pushes && this.drawn.right > 0)
+      pushed(c, this.frame, [x, middle], this.time, this.drawn.right - this.drawn.left);
   }
   /** @param {number} t */
   touching(t) {
@@ -301,7 +307,7 @@ export class Stage {
     const perMetre = this.scale / (frame.speed * frame.trip);
     const long = roundBelow(90 / perMetre);
     const [times, unit] = scaled(long, 'm');
-    const top = factor ? 8 : height - 24; // below, unless the factor is there
+    const top = factor ? 12 : height - 24; // below, unless the factor is there
     c.lineWidth = 2;
     c.beginPath();
     c.moveTo(12, top);

@@ -1,6 +1,7 @@
 // What the opening draws of bodies without rods below their stage: force or impulse, indentation, movement, and of a
 // pendulum that bends its bar, laid flat.
 import { times } from '../clock/times.js';
+import { between } from '../charts/scale.js';
 import { text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 import { byOf, called } from '../text/words.js';
@@ -13,6 +14,7 @@ import { byOf, called } from '../text/words.js';
 
 const ROOM = 1.1; // about the largest value
 const LEAST = 1e-12; // that is more than nothing
+const SLIGHT = 1e-6; // of the deepest indentation, that is no dent
 
 /**
  * @param {ArrayLike<number>} values
@@ -65,6 +67,35 @@ const struck = (field, x, factor) => ({
 });
 
 /**
+ * How deep they are pressed in; what flow has left of it stays once they have parted.
+ * @param {AxialFrame} frame
+ * @param {Field} field  that is drawn
+ * @returns {Track[]}
+ */
+export function indentationOf({ exact, motionTime: x, speed, trip }, field) {
+  const factor = speed * trip;
+  const near = field.masses.map((moved, k) => Math.max(moved - field.ends[k], 0));
+  const [, deepest] = spanOf(near);
+  if (deepest <= LEAST) return [];
+  const dent = (exact.residualIndentation ?? 0) / factor;
+  const stays = dent > SLIGHT * deepest;
+  const dentAt = (/** @type {number} */ t) => {
+    const past = exact.contacts.findLast(([, end]) => end <= t);
+    if (!past) return 0;
+    return past === exact.contacts.at(-1) ? dent : Math.min(between(x, near, past[1]), dent); // by then
+  };
+  const y = stays ? near.map((value, k) => Math.max(value, dentAt(x[k]))) : near;
+  const words = text('opening.track.dent', { depth: engineering(dent * factor, 'm', 3) });
+  return [
+    {
+      ...{ title: text('opening.track.pressed'), share: 0.8, range: [0, ROOM * deepest * factor], unit: 'm' },
+      series: [{ x, y, factor, style: 'struck', name: '' }],
+      said: stays ? [{ t: exact.contacts.at(-1)?.[1] ?? 0, value: dent * factor, words }] : [],
+    },
+  ];
+}
+
+/**
  * @param {AxialFrame} frame
  * @param {Field} field  that is drawn
  * @param {Series[]} forces
@@ -86,13 +117,7 @@ export function tracksOf(frame, field, forces) {
     tracks.push({ title: text('opening.track.force'), share: 1.2, range, unit: 'N', force: true, series: forces });
   }
   tracks.push(...barOf(frame, field.solution));
-  const pressed = field.masses.map((moved, k) => Math.max(moved - field.ends[k], 0));
-  const [, deepest] = spanOf(pressed);
-  if (deepest > LEAST)
-    tracks.push({
-      ...{ title: text('opening.track.pressed'), share: 0.8, range: [0, ROOM * deepest * factor], unit: 'm' },
-      series: [{ x, y: pressed, factor, style: 'struck', name: '' }],
-    });
+  tracks.push(...indentationOf(frame, field));
   const [low, high] = spanOf([...field.masses, ...field.ends]);
   const room = (ROOM - 1) * (high - low);
   tracks.push({

@@ -2,13 +2,20 @@
 
 const ROOT_PIXELS = 16; // of a letter where nobody wants them larger
 const NARROW = 260; // pixels of a window in which words of the usual size find room on a picture
+const LARGER = 1.3; // times, before a projector
 /** How much larger letters are than where nobody wants them larger; no larger on pictures than these have room for. */
-export const scale = globalThis.document
+export const wanted = globalThis.document
   ? Math.min(
       parseFloat(getComputedStyle(document.documentElement).fontSize) / ROOT_PIXELS,
       Math.max(window.innerWidth / NARROW, 1),
     )
   : 1;
+/** Whether a lesson is before a projector, as its address says. */
+export const projected = ['lesson', 'projector'].every((name) =>
+  new URLSearchParams(globalThis.location?.search).has(name),
+);
+/** The same, of pictures. */
+export const scale = wanted * (projected ? LARGER : 1);
 
 /**
  * A font for a canvas.

@@ -38,7 +38,9 @@ export function listen(chart) {
   area.onpointermove = (event) => pointers.move(event);
   area.onpointerup = (event) => pointers.up(event);
   area.onpointercancel = (event) => pointers.up(event, true);
-  area.onpointerleave = (event) => event.pointerType === 'touch' || chart.tip.hide();
+  area.onpointerleave = (event) => {
+    if (event.pointerType !== 'touch') chart.tip.hide();
+  };
   area.onblur = () => chart.tip.hide();
   area.ondblclick = () => axis.reset();
   area.onkeydown = (event) => key(chart, event);

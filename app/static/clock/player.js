@@ -97,6 +97,7 @@ export class Player {
     this.scrub = make('input', { type: 'range', min: 0, max: FULL, step: 1, className: 'scrub' });
     this.ticks = make('div', { className: 'ticks', ariaHidden: 'true' });
     this.pace = new PaceMenu(() => this.label());
+    this.why = make('span', { className: 'why', hidden: true });
     this.clock = make('output', { className: 'clock', ariaLive: 'off' });
     this.loops = this.#named(
       button('loop', '⟲', () => this.loop()),
@@ -104,7 +105,7 @@ export class Player {
       'L',
     );
     this.track = make('div', { className: 'track' }, this.ticks, this.scrub);
-    const time = make('div', { className: 'time' }, this.clock, this.track);
+    const time = make('div', { className: 'time' }, this.why, this.clock, this.track);
     this.root = make('div', { className: 'player' }, this.button, ...this.moves, time);
     this.root.append(this.pace.root, this.loops);
     this.scrub.oninput = () => {
@@ -171,8 +172,7 @@ export class Player {
   }
   /** Whether the clock is out of what charts show. */
   get #out() {
-    const [low, high] = this.#shown;
-    const least = LEAST * this.duration;
+    const [[low, high], least] = [this.#shown, LEAST * this.duration];
     return this.t < low - least || this.t > high + least;
   }
   /**
@@ -191,9 +191,15 @@ export class Player {
     if (this.playing && this.#out) this.go(this.#shown[0]);
     this.mark();
   }
-  /** @param {number} limit */
-  bound(limit) {
+  /**
+   * @param {number} limit  where it is zero, nothing can be played
+   * @param {string} [why]  that is so
+   */
+  bound(limit, why = '') {
     this.limit = limit;
+    this.button.disabled = this.scrub.disabled = limit <= 0;
+    write(this.why, limit > 0 ? '' : why);
+    this.why.hidden = !this.why.textContent;
     this.go(this.t);
     this.mark();
   }

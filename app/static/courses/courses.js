@@ -79,11 +79,12 @@ export class Courses {
   }
   /** With what the visitor has done by now. */
   draw() {
-    for (const { course, words } of this.cards) {
+    for (const { course, link, words } of this.cards) {
       const { audience, before, language, minutes, name, steps, title } = course;
       const { answered, done, far } = reached(kept(`lesson.${name}`, null), steps);
       const about = [minutes ? text('lesson.minutes', { minutes }) : '', audience].filter(Boolean).join(' · ');
       const how = done ? text('lesson.done') : far < 0 ? '' : text('lesson.reached', { step: far + 1, steps });
+      link.href = far > 0 ? `${lessonAt(name)}&step=${far + 1}` : lessonAt(name); // where one was
       words.lang = language;
       words.replaceChildren(
         make('strong', { textContent: answered ? title : before }),

@@ -8,7 +8,7 @@ import { text } from '../text/catalogue.js';
 import { duration, engineering, figures, localised, scaled } from '../text/format.js';
 
 /** @import { AxialFrame, Numbers } from '../messages.js' */
-/** @import { Bounce } from './view.js' */
+/** @import { Bounce } from './fall.js' */
 
 const EDGE = { left: 40 * zoom, right: 10, top: 26 * zoom, bottom: 22 * zoom }; // pixels
 const LATER = 1.12; // of the time that it lasts, that is drawn

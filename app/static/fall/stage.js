@@ -7,7 +7,7 @@ import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
 
-/** @import { Fall } from './view.js' */
+/** @import { Fall } from './fall.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 
 const EDGE = { narrow: 66, wide: 0.15, right: 26, top: 46, bottom: 34 }; // pixels, and a share of the width
@@ -26,6 +26,7 @@ export class FallStage {
   words = new Words();
   box = { left: 0, right: 1, top: 0, floor: 1, bottom: 2 }; // pixels
   time = 0;
+  hides = false; // what is still to come, as it is asked for
 
   /** @param {(t: number) => void} go */
   constructor(go) {
@@ -75,13 +76,9 @@ export class FallStage {
     this.box = { left: narrow ? EDGE.narrow : EDGE.wide * width, right: width - EDGE.right, top, floor, bottom };
     this.words.all = [];
     this.#axes(c, fall, width);
-    this.#path(c, fall);
-    this.#impulses(c, fall);
-    this.#rest(c, fall);
     const x = this.#x(t);
-    c.fillStyle = LATER;
-    c.fillRect(x, top - BALL, this.box.right - x + EDGE.right, bottom - top + BALL);
-    this.#tops(c, fall);
+    if (this.hides) this.#past(c, fall, x);
+    else this.#whole(c, fall, x);
     const y = this.#y(between(fall.x, fall.y, t));
     c.strokeStyle = COLORS.cursor;
     c.lineWidth = 1.4;
@@ -96,6 +93,35 @@ export class FallStage {
     c.arc(x, y, 4.5, 0, 7);
     if (!narrow) c.fill();
     this.words.draw(c, '', 0, 0);
+  }
+  /**
+   * What comes behind this instant is paler.
+   * @param {Context} c
+   * @param {Fall} fall
+   * @param {number} x  of the instant
+   */
+  #whole(c, fall, x) {
+    const { bottom, right, top } = this.box;
+    this.#path(c, fall);
+    this.#impulses(c, fall);
+    this.#rest(c, fall);
+    c.fillStyle = LATER;
+    c.fillRect(x, top - BALL, right - x + EDGE.right, bottom - top + BALL);
+    this.#tops(c, fall);
+  }
+  /**
+   * The height until this instant alone.
+   * @param {Context} c
+   * @param {Fall} fall
+   * @param {number} x  of the instant
+   */
+  #past(c, fall, x) {
+    c.save();
+    c.beginPath();
+    c.rect(0, 0, x, this.box.floor);
+    c.clip();
+    this.#path(c, fall);
+    c.restore();
   }
   /**
    * @param {Context} c

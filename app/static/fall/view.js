@@ -4,41 +4,16 @@ import { timesOf } from '../form/settings.js';
 import { Events } from '../frame/story.js';
 import { text } from '../text/catalogue.js';
 import { figures, length, percent, speed } from '../text/format.js';
+import { fallOf } from './fall.js';
 import { impactsOf, Lens } from './lens.js';
 import { FallStage } from './stage.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { AxialFrame, Frame } from '../messages.js' */
 /** @import { Event } from '../frame/story.js' */
+/** @import { Fall } from './fall.js' */
 
 const NAMED = 4; // bounces that have a name
-
-/**
- * @typedef {object} Fall  SI units
- * @property {number} height
- * @property {number} gravity
- * @property {number | null} rest
- * @property {number} end  of what is shown
- * @property {ArrayLike<number>} x  times
- * @property {ArrayLike<number>} y  heights
- * @property {Bounce[]} bounces
- */
-/** @typedef {{ t: number, impulse: number, height: number, restitution: number }} Bounce */
-
-/**
- * What a message says of it; nothing of what is not dropped.
- * @param {AxialFrame} frame
- * @returns {Fall | null}
- */
-export function fallOf({ bounces: rows, fall, fallHeight: y, fallTime: x }) {
-  if (!fall || !rows || !x || !y) return null;
-  const bounces = Array.from({ length: rows.length / 4 }, (_, k) => {
-    const [t, impulse, height, restitution] = rows.subarray(4 * k);
-    return { t, impulse, height, restitution };
-  });
-  const end = fall.rest === null ? x[x.length - 1] : 1.06 * fall.rest;
-  return { ...fall, bounces, end, x, y };
-}
 
 /** @param {Frame} frame  whether it is of a dropped body */
 export const falls = (frame) => 'fall' in frame && Boolean(frame.fall);

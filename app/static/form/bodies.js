@@ -136,8 +136,8 @@ export class Bodies {
    * @param {PartRecord[]} parts  all of them
    */
   #part({ derived: follows, key, kind, strikes, values }, parts) {
-    const [first, group = first] = key.split('.');
-    const name = text(`bodies.head.${group}`, { ...placeOf(key, parts), kind: KINDS[kind] ?? kind, strikes });
+    const [body, group = body] = key.split('.');
+    const name = text(`bodies.head.${group}`, { ...placeOf(key, parts), body, kind: KINDS[kind] ?? kind, strikes });
     if (!values.length && !follows.length)
       return make('div', { className: 'body bare' }, make('b', { textContent: name }), text('bodies.nothing'));
     const open = parts.length <= MANY;
@@ -327,7 +327,9 @@ function sliderOf(scale, send) {
     const value = scale.at(Number(root.value) / STEPS);
     send(Number(root.value) === STEPS / 2 ? value : Number(value.toPrecision(3)));
   };
-  root.onchange = () => (held = false);
+  root.onchange = () => {
+    held = false;
+  };
   return {
     root,
     /** Where a value is refused, the last one again. */

@@ -6,9 +6,11 @@ import { make } from '../browser/dom.js';
 import { entryOf, SceneButton } from './scenes.js';
 import { Slider } from './slider.js';
 
-/** @import { Cushion, Frame } from '../messages.js' */
+/** @import { AxialFrame, Cushion, Frame } from '../messages.js' */
 /** @import { Page } from '../page.js' */
 /** @import { Kind } from '../frame/view.js' */
+
+const DROPS = { default: 1, low: 0.001, high: 100, whole: false }; // m
 
 /**
  * @typedef {object} Control
@@ -35,6 +37,8 @@ export class Controls {
       this.fields[name] = spec[name].options ? this.#select(name) : this.#slider(name);
       this.root.append(this.fields[name].root);
     }
+    this.fields.drop_height = new Slider('drop_height', LABELS.drop_height, DROPS, (height) => this.#drop(height));
+    this.root.append(this.fields.drop_height.root);
     this.method = /** @type {HTMLSelectElement} */ (this.root.querySelector('#choice-method'));
     this.cushions = make('div', { className: 'cushions', hidden: true });
     this.fields.law.root.append(this.cushions);
@@ -60,6 +64,14 @@ export class Controls {
         /** @type {HTMLInputElement} */ (input).disabled = true;
     }
     this.root.classList.toggle('bodiless', this.held.hidden.has('bodies'));
+  }
+  /**
+   * From so high: the speed with which it arrives is chosen.
+   * @param {number} height  [m]
+   */
+  #drop(height) {
+    const { fall } = /** @type {AxialFrame} */ (this.page.frame);
+    if (fall) this.send('speed', Math.sqrt(2 * fall.gravity * height));
   }
   /** @param {string} name */
   #select(name) {
@@ -107,6 +119,11 @@ export class Controls {
    */
   show(name, value, refused = false) {
     this.fields[name]?.set(value, refused);
+  }
+  /** @param {string} name  of a slider, whether a hand is still on it */
+  holds(name) {
+    const field = this.fields[name];
+    return field instanceof Slider && field.held;
   }
   /** @param {string[]} names  of those that are seen in the opening, the first of them first */
   lead(names) {
@@ -173,6 +190,9 @@ export class Controls {
     this.#entitle(frame);
     this.#cushion(frame);
     for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);
+    const fall = this.page.opening.teaching.on && 'fall' in frame ? frame.fall : null; // a setting of lessons
+    this.fields.drop_height.root.hidden = !fall;
+    if (fall) this.show('drop_height', fall.height);
     const seen = frame.acting.filter((name) => name !== 'scene' && !this.held.hidden.has(name)); // that is in the bar
     this.page.layout.bare(!seen.length);
     const onBeam = 'main' in frame;

@@ -36,7 +36,9 @@ export class Slider {
     this.complain = complain;
     input.ariaLabel = text('controls.exact-value', { title });
     this.range.oninput = () => this.#moved(this.#toValue(Number(this.range.value)));
-    this.range.onchange = () => (this.held = false);
+    this.range.onchange = () => {
+      this.held = false;
+    };
     this.range.onkeydown = (event) => this.#key(event);
     const label = make('label', { htmlFor: id, textContent: title });
     const exact = make('span', { className: 'exact' }, input, make('span', { className: 'unit' }, beside));

@@ -1,5 +1,5 @@
 // In a frame, in the page of another site: a way out of it, and how high it should be, which it says to that page.
-import { scale } from '../charts/canvas.js';
+import { wanted as scale } from '../charts/canvas.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { addressOf, queryOf } from './address.js';

@@ -1,7 +1,7 @@
 // Where everything is on the page. In the opening one dock slides in beside the picture, with all else in its tabs. The
 // laboratory has a dock at either side of the centre; a window that is too narrow for it has the dock of the opening
 // instead. Stage and clock never leave, and what opens takes the place of the charts.
-import { scale } from '../charts/canvas.js';
+import { wanted as scale } from '../charts/canvas.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from '../browser/dom.js';
 import { gripOf } from './grip.js';

@@ -1,5 +1,5 @@
 // A lesson, or the page that reads codes of its class: fetched where the address names one; see the folders of both.
-import { alone, carried, served } from '../browser/home.js';
+import { alone, carried, framed, served } from '../browser/home.js';
 import { late, lateSheet } from '../browser/late.js';
 import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
@@ -96,6 +96,7 @@ export class Teaching {
       page.tell();
     }
     page.root.style.visibility = '';
+    if (!framed) this.lesson?.heading.focus({ preventScroll: true }); // the page of a course keeps its own
   }
   /**
    * @param {Asked} asked

@@ -3,6 +3,7 @@ import { make } from '../browser/dom.js';
 import { framed } from '../browser/home.js';
 import { lessonAt } from '../frame/address.js';
 import { text } from '../text/catalogue.js';
+import { Forget } from './forget.js';
 import { Print } from './print.js';
 import { Projector, PROJECTOR } from './projector.js';
 
@@ -17,13 +18,14 @@ export class Bar {
       make('button', { type: 'button', textContent: k + 1, onclick: () => lesson.enter(k) }),
     );
     const list = make('ol', { className: 'lesson-steps' }, ...this.steps.map((each) => make('li', {}, each)));
+    this.forget = new Forget(lesson);
     const act = (/** @type {string} */ sign, /** @type {string} */ code, /** @type {() => void} */ onclick) => {
       const words = make('span', { className: 'lesson-word', textContent: text(code) });
       const button = make('button', { type: 'button', onclick }, make('span', { textContent: sign }), words);
       button.title = button.ariaLabel = text(code);
       return button;
     };
-    const again = act('⟲', 'lesson.again', () => this.#again(again));
+    const again = this.forget.button;
     const leave = act('✕', 'lesson.leave', () => location.assign(lessonAt()));
     this.projector = new Projector(lesson);
     const extras = [this.projector.button, new Print(lesson).button];
@@ -34,17 +36,6 @@ export class Bar {
   /** What the address says besides. */
   get said() {
     return this.projector.on ? `&${PROJECTOR}` : '';
-  }
-  /**
-   * All answers are forgotten at the second press.
-   * @param {HTMLElement} button
-   */
-  #again(button) {
-    const words = button.querySelector('.lesson-word');
-    const sure = button.classList.toggle('sure');
-    if (words) words.textContent = text(sure ? 'lesson.sure' : 'lesson.again');
-    button.title = button.ariaLabel = text(sure ? 'lesson.sure' : 'lesson.again');
-    if (!sure) this.lesson.restart();
   }
   /** Titles of steps that were not reached say too much: they are numbers only. */
   show() {

@@ -13,9 +13,13 @@ export function endingOf({ page, record }) {
   all.onclick = () => page.scenes.open();
   all.setAttribute('aria-haspopup', 'dialog');
   if (!next || (carried && !Object.hasOwn(carried.lessons, next))) {
-    all.classList.add('ready');
     return [all];
   }
-  const textContent = text('lesson.follows', { title: title || next });
-  return [all, make('a', { href: lessonAt(next), className: 'lesson-end-act ready', textContent })];
+  const name = text('lesson.follows', { title: title || next });
+  const link = make('a', { href: lessonAt(next), className: 'lesson-end-act', title: name, ariaLabel: name });
+  link.append(
+    make('span', { className: 'lesson-long', textContent: name }),
+    make('span', { className: 'lesson-short', textContent: text('lesson.follows-short') }),
+  );
+  return [all, link];
 }

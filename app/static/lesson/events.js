@@ -1,4 +1,5 @@
 // What happens in a frame, by the names that lesson files have; what it is worth, and its curves.
+import { fallOf } from '../fall/fall.js';
 import { between } from '../charts/scale.js';
 import { cross, dot } from '../space/vectors.js';
 
@@ -62,6 +63,21 @@ export function eventsOf(frame) {
   }
   found.second = found['back-2'];
   return found;
+}
+
+/**
+ * Of what is dropped, from the release on [s]; nothing of other frames.
+ * @param {Frame} frame
+ * @returns {Events | null}
+ */
+export function fallenOf(frame) {
+  const fall = axialOf(frame) && fallOf(/** @type {AxialFrame} */ (frame));
+  if (!fall) return null;
+  const named_ = fall.bounces.slice(0, MOST).flatMap(({ t }, k) => [
+    [named('touch', k + 1), t],
+    [named('part', k + 1), t],
+  ]);
+  return Object.fromEntries(named_);
 }
 
 /**
@@ -148,15 +164,22 @@ export function quantityOf(frame, quantity) {
   return (space && IN_SPACE[quantity]?.(space)) ?? null;
 }
 
+const SLIGHT = 1e-6; // of it, which methods may be wrong by
+/** @type {Record<string, number>} */
+const SIZES = { restitution: 1, energy_lost: 1, impactor_spin: 1, target_spin: 1 }; // of what is zero
+
 /**
- * Whether a frame meets a goal.
+ * Whether a frame meets a goal, by more than its methods may be wrong: a ball that stops does not go on.
  * @param {Frame} frame
  * @param {Goal} goal
  */
 export function meets(frame, { quantity, relation, value }) {
   const is = quantityOf(frame, quantity);
   if (is === null) return false;
-  return relation === '=' ? is === value : relation === '<' ? is < value : is > value;
+  if (relation === '=') return is === value;
+  const size = quantity.endsWith('_velocity') ? Number(frame.chosen?.speed ?? 0) : (SIZES[quantity] ?? 0);
+  const beyond = relation === '<' ? value - is : is - value;
+  return beyond > SLIGHT * Math.max(Math.abs(value), Math.abs(is), size);
 }
 
 /**

@@ -1,6 +1,8 @@
 // A slider of the page is moved until something is so; judged while it moves.
 import { make } from '../browser/dom.js';
+import { text } from '../text/catalogue.js';
 import { engineering, figures } from '../text/format.js';
+import { LABELS } from '../text/words.js';
 import { saidOf } from './answered.js';
 import { lastContact, meets, quantityOf } from './events.js';
 import { wordsOf } from './nodes.js';
@@ -35,6 +37,16 @@ export function wordsOfGoal(frame, quantity) {
   const value = quantityOf(frame, quantity) ?? NaN;
   if (quantity in UNITS) return engineering(value, UNITS[quantity]);
   return `${figures(value)}${quantity.endsWith('_velocity') ? ' m/s' : ''}`;
+}
+
+/**
+ * A choice of the page with its name.
+ * @param {string} name
+ * @param {number} value
+ */
+export function valueWords(name, value) {
+  const { title, unit = '' } = LABELS[name];
+  return text('lesson.value', { title, value: figures(value), unit });
 }
 
 /** @implements {Question} */
@@ -72,10 +84,11 @@ export class Goal {
     answer.place = place;
     const met = meets(frame, part.goal);
     const which = met ? rangeOf(part.found, place) : -1;
-    const fresh = which >= 0 && !answer.found.some((/** @type {Part} */ each) => each.which === which);
+    const new_ = which >= 0 && !answer.found.some((/** @type {Part} */ each) => each.which === which);
+    const fresh = new_ && lesson.rests(frame, part.slider); // a hand that only comes past has found nothing
     if (fresh) answer.found.push({ which, place });
     const first = fresh && !answer.done;
-    answer.done ||= which >= 0;
+    answer.done ||= fresh;
     this.#say(frame, met, which);
     if (first) lesson.answered(this.said_, false);
     else lesson.keep();
@@ -99,13 +112,21 @@ export class Goal {
     for (const each of more) each.classList.add('lesson-more');
     this.says.replaceChildren(saidOf(met, say, gaps), ...more);
     const spoken = [words, rest ? wordsOf(rest) : ''].join(' ').trim();
-    if (met && spoken !== this.said_) lesson.speak(spoken); // what is not so yet changes all the time
-    this.said_ = spoken;
+    if (!met)
+      this.said_ = ''; // what is not so yet changes all the time
+    else if (spoken !== this.said_ && lesson.rests(frame, part.slider)) {
+      lesson.speak(spoken);
+      this.said_ = spoken;
+    }
+  }
+  /** A hand has let go. */
+  settle() {
+    this.load(this.lesson.page.frame);
   }
   said() {
     const { found } = this.answer;
     const words = (/** @type {Part} */ { gaps, place, which }) => [
-      make('p', { textContent: this.lesson.valueWords(this.part.slider, place) }),
+      make('p', { textContent: valueWords(this.part.slider, place) }),
       ...(which in this.part.found ? [saidOf(true, this.part.found[which].say, gaps ?? {})] : []),
     ];
     return [make('div', {}, ...found.flatMap(words))];

@@ -53,7 +53,6 @@ export function handed(lesson) {
     code?.parentElement?.scrollIntoView({ block: 'nearest' }); // with the button that copies it
     lesson.speak(code?.textContent ?? '');
   });
-  button.classList.add('plain');
   const root = make('section', { className: 'class-handed' }, button, ...(carried ? [] : [make('p', {}, teacher)]));
   return root;
 }

@@ -3,7 +3,6 @@ import { make } from '../browser/dom.js';
 import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures } from '../text/format.js';
-import { LABELS } from '../text/words.js';
 import { times } from '../clock/times.js';
 import { refusalIn } from '../wire/model.js';
 import { brought } from './answered.js';
@@ -11,8 +10,9 @@ import { Bar } from './bar.js';
 import { Below } from './below.js';
 import { Coming } from './coming.js';
 import { endingOf } from './ending.js';
-import { eventsOf, timeOf, unitOf } from './events.js';
+import { eventsOf, fallenOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
+import { dress } from './picture.js';
 import { elementsOf } from './nodes.js';
 import { PROJECTOR } from './projector.js';
 import { asks, questionOf } from './questions.js';
@@ -51,7 +51,7 @@ import { summaryOf } from './summary.js';
  */
 
 const AT_FIRST = ['bodies'];
-const PLAIN = ['bodies', 'rows']; // what of it is no chart
+const PLAIN = ['bodies', 'forces', 'opening', 'rows']; // what of it is no chart
 const FLAGS = [PROJECTOR].filter((name) => new URLSearchParams(globalThis.location?.search).has(name));
 const BARE_T = 'T'; // of `time`: how long one is, is not said
 
@@ -118,6 +118,7 @@ export class Lesson {
     root.querySelector('.topbar h1')?.after(this.bar.root);
     this.awaited.over(this.bar.root); // where it is not over what is asked
     root.append(this.root, this.moves);
+    this.page.controls.root.addEventListener('change', () => this.question?.settle?.());
     if (this.flags.includes(PROJECTOR)) this.bar.projector.turn(true);
   }
   get step() {
@@ -130,6 +131,10 @@ export class Lesson {
   /** The part that says what is shown: that of this step, or before. */
   get #scene() {
     return this.step.parts.find(({ kind }) => kind === 'scene') ?? {};
+  }
+  /** Whether the scene is seen as it opens: what is dropped, over all its bounces. */
+  get opens() {
+    return this.at >= 0 && this.#shown.includes('opening');
   }
   get #after() {
     return this.step.parts.find(({ kind }) => kind === 'after') ?? {};
@@ -162,27 +167,24 @@ export class Lesson {
   keep() {
     if (!this.paper) keep(this.key, this.progress);
   }
+  /** Forget all answers. Returns what brings them back. */
   restart() {
-    this.progress = { of: this.#questions, far: 0, answers: Object.create(null) };
-    this.keep();
-    this.enter(0);
+    const { at, progress } = this;
+    const turn = (/** @type {Progress} */ to, /** @type {number} */ step) => {
+      this.progress = to;
+      this.keep();
+      this.enter(step);
+    };
+    turn({ of: this.#questions, far: 0, answers: Object.create(null) }, 0);
+    return () => turn(progress, at);
   }
   /**
    * A time in T, as it is written.
    * @param {number} t
    */
   timeWords(t) {
-    if (this.unit !== 1) return engineering(t * this.unit, 's'); // as all the page has it
+    if (this.unit !== 1 || this.opens) return engineering(t * this.unit, 's'); // as all the page has it
     return `${figures(Number(t.toFixed(2)), 4)} T`;
-  }
-  /**
-   * A choice of the page with its name.
-   * @param {string} name
-   * @param {number} value
-   */
-  valueWords(name, value) {
-    const { title, unit = '' } = LABELS[name];
-    return text('lesson.value', { title, value: figures(value), unit });
   }
   /** @param {string} sentence */
   speak(sentence) {
@@ -223,6 +225,7 @@ export class Lesson {
   /** @param {Frame} frame  of this step */
   #arrive(frame) {
     this.coming = false;
+    if (this.page.root.dataset.kind !== this.page.kind) this.page.take(this.page.changes.bytes);
     this.awaited.over(this.bar.root);
     this.first.lay(this.at, (this.sliders ?? []).length > 0);
     this.page.controls.bound(this.question?.bounds ?? {});
@@ -288,7 +291,7 @@ export class Lesson {
     root.classList.toggle('sketching', Boolean(chart));
     if (chart && !chart.isConnected) this.root.after(chart); // Tab goes on to it
     if (!chart) question?.chart?.remove();
-    page.opening.section.guess = this.#guess();
+    dress(this, this.#shown, this.#closed);
     const slider = Object.keys(question?.choices ?? {});
     this.sliders = [...new Set([...slider, ...(this.#scene.sliders ?? [])])];
     page.controls.lead(this.sliders);
@@ -298,15 +301,6 @@ export class Lesson {
     if (page.frame) page.layout.place();
     question?.draw?.();
     this.#follow();
-  }
-  /** The line that was drawn, beside the rod: where it was laid there, and in the end. */
-  #guess() {
-    const { question, record, step } = this;
-    const last = step.parts.some(({ kind }) => kind === 'summary');
-    const parts = last ? record.steps.flatMap((each) => each.parts).filter(asks) : [];
-    const questions = last ? parts.map((part) => questionOf(this, part)) : [question];
-    const sketch = questions.find((each) => each instanceof Sketch);
-    return sketch && (sketch.laid || (last && sketch.done)) ? sketch.series : null;
   }
   /** How long a T is, is no longer a riddle once it is answered. */
   #bare() {
@@ -333,7 +327,7 @@ export class Lesson {
   }
   #begin() {
     const { player } = this.page;
-    player.bound(this.#limit());
+    player.bound(this.#limit(), text('lesson.answer-first'));
     const done = this.question?.done;
     const after = this.#after;
     const part = done && (after.play || (after.at ?? null) !== null) ? after : this.#scene;
@@ -381,12 +375,21 @@ export class Lesson {
   }
   /** @param {Frame} frame  that is shown now */
   load(frame) {
-    this.events = eventsOf(frame);
+    this.events = (this.opens && fallenOf(frame)) || eventsOf(frame);
     this.unit = unitOf(frame);
     if (this.coming) return;
     this.second.lay(!this.#closed);
     this.page.controls.lead(this.sliders ?? []);
     this.question?.load?.(frame);
+  }
+  /**
+   * Whether it is what has been chosen in the end: no hand holds the slider, and the server has answered.
+   * @param {Frame} frame
+   * @param {string} slider
+   */
+  rests(frame, slider) {
+    const { controls, own } = this.page;
+    return !frame.draft && !own.made.has(frame) && !own.behind && !controls.holds(slider);
   }
   /** @param {number} t */
   show(t) {

@@ -2,7 +2,7 @@
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
-import { afterwards, againButton, brought, mainButton, saidOf, triesOf } from './answered.js';
+import { afterwards, brought, mainButton, saidOf, triesOf } from './answered.js';
 import { wordsOf } from './nodes.js';
 
 /** @import { Piece } from './nodes.js' */
@@ -82,8 +82,6 @@ export const quantityWords = (value, unit, digits = 6) => `${figures(value, digi
 
 /** @implements {Question} */
 export class NumberQuestion {
-  /** @type {Trial | null} */ trial = null; // once it is answered
-
   /**
    * @param {Lesson} lesson
    * @param {Part} part
@@ -102,9 +100,11 @@ export class NumberQuestion {
     const own = make('span', { textContent: unitWord(part.unit) });
     this.said_ = make('div', { className: 'lesson-says' });
     const check = mainButton(text('lesson.check'), () => this.#check());
-    this.input.onkeydown = ({ key }) => key === 'Enter' && this.#check();
+    this.input.onkeydown = ({ key }) => {
+      if (key === 'Enter') this.#check(); // and returns nothing, as false would cancel the key
+    };
     this.input.oninput = this.unit.onchange = () => {
-      Object.assign(this.now, { written: this.input.value, unit: this.unit.value });
+      Object.assign(this.answer, { written: this.input.value, unit: this.unit.value });
       lesson.keep();
     };
     const row = make('div', { className: 'lesson-row' }, this.input, part.units.length > 1 ? this.unit : own, check);
@@ -117,24 +117,13 @@ export class NumberQuestion {
   get tried() {
     return this.answer.tries > 0;
   }
-  /** @returns {Trial} */
-  get now() {
-    return this.trial ?? this.answer;
-  }
   #render() {
-    const { said, done } = this.now;
-    const { tries } = this.answer;
+    const { done, said, tries } = this.answer;
     this.input.readOnly = done;
     this.unit.disabled = done;
     this.root.classList.toggle('done', done);
-    const again = againButton(() => {
-      this.trial = { written: '', unit: this.answer.unit, done: false, said: -2 };
-      this.input.value = '';
-      this.#render();
-      this.input.focus();
-    });
     if (said < -1) this.said_.replaceChildren();
-    else this.said_.replaceChildren(this.#judged(said, done), triesOf(tries), ...(done ? [again] : []));
+    else this.said_.replaceChildren(this.#judged(said, done), triesOf(tries));
   }
   /**
    * @param {number} said  of the mistakes
@@ -145,8 +134,8 @@ export class NumberQuestion {
     return saidOf(right, right ? yes : (mistakes[said]?.say ?? no));
   }
   #check() {
-    const { answer, input, lesson, now, part, unit } = this;
-    if (now.done) return;
+    const { answer, input, lesson, part, unit } = this;
+    if (answer.done) return;
     const found = read(input.value, part.units);
     if (!found) {
       const hint = make('p', { className: 'lesson-hint', textContent: text('lesson.no-number') });
@@ -156,7 +145,7 @@ export class NumberQuestion {
     }
     if (found.unit) unit.value = found.unit;
     const { mistake, right } = judgeNumber(part, found.value, unit.value);
-    Object.assign(now, { written: input.value, unit: unit.value, said: mistake, done: right });
+    Object.assign(answer, { written: input.value, unit: unit.value, said: mistake, done: right });
     answer.first ??= { written: input.value, value: found.value, unit: unit.value, said: mistake, done: right };
     answer.tries += 1;
     this.#render();

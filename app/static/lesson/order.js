@@ -1,7 +1,7 @@
 // Sentences are put in their order: by buttons that say the new place, or by dragging a line at its handle.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
-import { afterwards, againButton, brought, mainButton, saidOf, triesOf } from './answered.js';
+import { afterwards, brought, mainButton, saidOf, triesOf } from './answered.js';
 import { timeOf } from './events.js';
 import { elementsOf, wordsOf } from './nodes.js';
 
@@ -19,12 +19,13 @@ export function mixed(count) {
   return found.every((each, k) => each === k) ? found.reverse() : found;
 }
 
-/** @typedef {{ order: number[], checked: boolean, done: boolean }} Trial */
+/**
+ * @typedef {{ order: number[], tries: number, checked: boolean, done: boolean,
+ *   first: { order: number[], right: number } | null }} Answer
+ */
 
 /** @implements {Question} */
 export class Order {
-  /** @type {Trial | null} */ trial = null; // once it is answered
-
   /**
    * @param {Lesson} lesson
    * @param {Part} part
@@ -33,6 +34,7 @@ export class Order {
     this.lesson = lesson;
     this.part = part;
     const fresh = { order: mixed(part.items.length), tries: 0, checked: false, done: false, first: null };
+    /** @type {Answer} */
     this.answer = lesson.answerOf(part.name, fresh);
     this.list = make('ol', { className: 'lesson-lines' });
     this.check = mainButton(text('lesson.check'), () => this.#check());
@@ -50,13 +52,9 @@ export class Order {
   load() {
     if (this.done) this.#render();
   }
-  /** @returns {Trial} */
-  get now() {
-    return this.trial ?? this.answer;
-  }
   /** How many are in their place. */
   get #right() {
-    return this.now.order.filter((each, k) => each === k).length;
+    return this.answer.order.filter((each, k) => each === k).length;
   }
   /** @param {number} [right] */
   #gaps(right = this.#right) {
@@ -64,24 +62,18 @@ export class Order {
   }
   #render() {
     const { part } = this;
-    const { checked, done, order } = this.now;
-    const { tries } = this.answer;
+    const { checked, done, order, tries } = this.answer;
     this.list.replaceChildren(...order.map((n, k) => this.#line(n, k)));
     this.check.hidden = done;
     const say = checked ? [saidOf(done, done ? part.yes : part.no, this.#gaps())] : [];
-    const again = againButton(() => {
-      this.trial = { order: mixed(part.items.length), checked: false, done: false };
-      this.#render();
-      this.list.querySelector('button')?.focus();
-    });
-    this.says.replaceChildren(...say, ...(tries ? [triesOf(tries)] : []), ...(done ? [again] : []));
+    this.says.replaceChildren(...say, ...(tries ? [triesOf(tries)] : []));
   }
   /**
    * @param {number} item
    * @param {number} place
    */
   #line(item, place) {
-    const { now: answer, lesson, part } = this;
+    const { answer, lesson, part } = this;
     const { at, text: words } = part.items[item];
     const time = answer.done && at !== null ? timeOf(at, lesson.events) : NaN;
     const sign = answer.checked && !answer.done && item === place ? '✓' : '';
@@ -112,7 +104,7 @@ export class Order {
    * @param {number} by
    */
   #move(from, by) {
-    const { now: answer, lesson, part } = this;
+    const { answer, lesson, part } = this;
     const to = from + by;
     const [moved] = answer.order.splice(from, 1);
     answer.order.splice(to, 0, moved);
@@ -141,7 +133,7 @@ export class Order {
       const high = line.offsetHeight;
       const by = (/** @type {PointerEvent} */ { clientY }) => {
         const lines = Math.round((clientY - down.clientY) / high);
-        return Math.min(Math.max(lines, -place), this.now.order.length - 1 - place);
+        return Math.min(Math.max(lines, -place), this.answer.order.length - 1 - place);
       };
       handle.onpointermove = (event) => (line.style.translate = `0 ${event.clientY - down.clientY}px`);
       handle.onpointerup = handle.onpointercancel = (event) => {
@@ -154,14 +146,13 @@ export class Order {
   }
   #check() {
     const { answer, lesson, part } = this;
-    const { now } = this;
     answer.tries += 1;
-    answer.first ??= { order: [...now.order], right: this.#right };
-    now.checked = true;
-    now.done = this.#right === now.order.length;
+    answer.first ??= { order: [...answer.order], right: this.#right };
+    answer.checked = true;
+    answer.done = this.#right === answer.order.length;
     this.#render();
-    const words = wordsOf(now.done ? part.yes : part.no, this.#gaps());
-    if (now.done) lesson.answered(words);
+    const words = wordsOf(answer.done ? part.yes : part.no, this.#gaps());
+    if (answer.done) lesson.answered(words);
     else {
       lesson.keep();
       lesson.speak(words);

@@ -8,6 +8,7 @@ import { figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import * as drawing from './drawing.js';
 import { curveOf, timeOf } from './events.js';
+import { valueWords } from './goal.js';
 import { elementsOf } from './nodes.js';
 import { quantityWords, unitWord } from './number.js';
 import { mixed } from './order.js';
@@ -77,10 +78,10 @@ const ASKED = {
     line(text('lesson.number-them')),
     ...mixed(items.length).map((k) => make('p', { className: 'print-place' }, ...elementsOf(items[k].text))),
   ],
-  set: ({ range, slider, start }, lesson) => [
+  set: ({ range, slider, start }) => [
     line(
       text('lesson.on-paper', {
-        value: lesson.valueWords(slider, start).trim(),
+        value: valueWords(slider, start).trim(),
         low: figures(range[0]),
         high: figures(range[1]),
       }),

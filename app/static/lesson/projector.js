@@ -16,7 +16,13 @@ export class Projector {
     const name = text('lesson.projector');
     this.button = make('button', { type: 'button', textContent: text('lesson.larger'), title: name, ariaLabel: name });
     this.button.className = 'lesson-project';
-    this.button.onclick = () => this.turn(!this.on);
+    this.button.onclick = () => this.#anew();
+  }
+  /** The page is loaded anew, as letters of its pictures are as large as they were when it came; answers are kept. */
+  #anew() {
+    this.on = !this.on;
+    this.lesson.page.history.write();
+    location.reload();
   }
   /** @param {boolean} on */
   turn(on) {

@@ -22,10 +22,15 @@ import { Sketch } from './sketch.js';
  * @property {Record<string, [low: number, high: number]>} [bounds]  between which these may be
  * @property {boolean} [predicts]  what happens is not to be seen before
  * @property {(frame: Frame) => void} [load]
+ * @property {() => void} [settle]  a hand has let go of a slider
  * @property {(t: number) => void} [show]
  * @property {() => void} [draw]
  * @property {() => Node[]} said  for the summary: what was answered, and what is so
  */
+
+/** Beside an option that is right. */
+const rightSign = () =>
+  make('b', { className: 'lesson-right', textContent: '✓', role: 'img', ariaLabel: text('lesson.right') });
 
 /** @implements {Question} */
 class Choice {
@@ -59,13 +64,15 @@ class Choice {
         lesson.keep();
         show.disabled = false;
       };
-      const label = make('label', {}, input, make('span', {}, ...elementsOf(option.text)));
+      const found = done && option.right && part.options[picked].right;
+      const sign = found ? [rightSign()] : [];
+      const label = make('label', {}, input, make('span', {}, ...elementsOf(option.text)), ...sign);
       label.classList.toggle('taken', done && k === picked);
       return label;
     });
     const show = mainButton(text('lesson.show'), () => this.#tell());
     show.disabled = picked < 0;
-    const about = make('legend', { textContent: text('lesson.one-of') });
+    const about = make('legend', { textContent: text(done ? 'lesson.chosen' : 'lesson.one-of') });
     const all = make('fieldset', {}, about, ...radios);
     this.root.replaceChildren(all, ...(done ? this.#said(picked) : [show]));
   }
@@ -77,7 +84,8 @@ class Choice {
       this.#render();
       this.root.querySelector('input')?.focus();
     });
-    return [this.#judged(picked), ...(more ? [triesOf(1 + more)] : []), again];
+    const { right } = this.part.options[picked];
+    return [this.#judged(picked), ...(more ? [triesOf(1 + more)] : []), ...(right ? [] : [again])];
   }
   /** @param {number} picked */
   #judged(picked) {

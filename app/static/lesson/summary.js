@@ -28,5 +28,5 @@ export function summaryOf(lesson, part) {
     }),
   );
   const end = make('p', { className: 'lesson-end' }, ...elementsOf(part.say));
-  return make('div', {}, end, ...parts, handed(lesson));
+  return make('div', {}, end, handed(lesson), ...parts); // which must not be missed below the fold
 }

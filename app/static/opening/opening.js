@@ -61,6 +61,8 @@ function planOf(search) {
   return asked ?? (query.size ? named : kept(PLAN, 'opening'));
 }
 
+const TOLD = ['scene', 'law', 'method', 'restitution']; // by the source of a scene, where a link does not hide them
+
 export class Opening {
   /** @type {Plan} */ plan = planOf(alone ? window.location.search : '');
   tried = 0; // changes of this scene
@@ -100,9 +102,9 @@ export class Opening {
     const { changes, frame } = this.page;
     return changesOf(frame, this.#leading).filter(([, name, value]) => changes.allowed(name, value) === value);
   }
-  /** Whether what is dropped is followed until it lies still; a lesson is about one impact. */
+  /** Whether what is dropped is followed until it lies still; a lesson is about one impact, unless it asks for that. */
   get follows() {
-    return this.plan === 'opening' && !this.teaching.on;
+    return this.plan === 'opening' && (!this.teaching.on || Boolean(this.teaching.lesson?.opens));
   }
   /** Whether its picture is what is seen. */
   get leads() {
@@ -284,6 +286,8 @@ export class Opening {
     const source = isChanged(frame) ? '' : frame.source;
     if (this.closer.dataset.said === source) return;
     this.closer.dataset.said = source;
+    const { hidden } = this.page.changes.held;
+    const told = TOLD.some((name) => hidden.has(name)) ? '' : source;
     const enter = (/** @type {string} */ textContent, /** @type {() => void} */ onclick) =>
       make('button', { type: 'button', textContent, onclick });
     const laboratory = enter(text(carried ? 'offline.laboratory' : 'opening.laboratory'), () => this.#leave());
@@ -293,7 +297,7 @@ export class Opening {
       make('span', { textContent: text('opening.closer') }),
       ...tabs,
       ...((carried ? carried.laboratory : !framed) ? [laboratory] : []),
-      make('span', { className: 'source', textContent: source && text('opening.source', { source }) }),
+      make('span', { className: 'source', textContent: told && text('opening.source', { source }) }),
     );
   }
   /** To the laboratory, which another place has where there is no server. */

@@ -21,6 +21,7 @@ import { weave } from './rows.js';
  * @property {Bar[]} [bars]  that grow from zero
  * @property {Series[]} [series]  the first one filled from zero
  * @property {{ field: Rows, what: string, largest: number, duration: number }} [rows]  of a body that is laid flat
+ * @property {Bar[]} [said]  words beside a curve from an instant on
  * @property {boolean} [force]  of the contact
  * @property {number[]} [marks]  shares of its width that are marked
  */
@@ -129,6 +130,8 @@ export function drawTrack(c, track, place, clock, words) {
   c.restore();
   bars(c, track, place, clock, words);
   names(track, place, words);
+  for (const { t, value, words: note } of track.said ?? [])
+    words.say(note, across(track, place, value) + 6, Math.min(clock.y(t) + LINE + 4, top + tall - 6), COLORS.ink);
   c.restore();
 }
 

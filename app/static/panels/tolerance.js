@@ -158,7 +158,9 @@ class Tolerance extends Panel {
     const method = methodOf(found);
     const here = method !== null && shown(this.page, method);
     const show = make('button', { type: 'button', className: 'when', textContent: text('tolerance.show') });
-    show.onclick = () => method && showMethod(this.page, method);
+    show.onclick = () => {
+      if (method) showMethod(this.page, method);
+    };
     const exact = found.true === 0 && found.exact;
     const words = [truthOf(found, exact && here), keptOf(found)];
     if (this.follows && found.cost > QUICK && !here) words.push(text('tolerance.slow', { time: found.cost }));

@@ -34,8 +34,11 @@ const KINDS = {
   beam: [{ follows: beams.follows, is: beams.isBent, made: beams.beamWith }],
 };
 
-/** @param {Frame} frame */
-const kindOf = (frame) => KINDS[frame.kind]?.find(({ is }) => is(frame));
+/**
+ * None where weight acts, which the kernels do not have.
+ * @param {Frame} frame
+ */
+const kindOf = (frame) => (frame.weight ? undefined : KINDS[frame.kind]?.find(({ is }) => is(frame)));
 
 class Answers {
   rest = 0; // until memory is given back

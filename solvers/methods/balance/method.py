@@ -80,7 +80,7 @@ class Balance(Method):
 
     NAME = "balance"
     RESOLUTIONS = ("elements",)
-    BEAMS = True
+    BEAMS = WEIGHT = RIPPLES = True
 
     @classmethod
     def read(cls, given: Mapping[str, Any]) -> Self:
@@ -252,9 +252,11 @@ class Balance(Method):
                 bank, turns, self.restitution, step, tolerance, end, patience, q, p, found
             )
         events = Events(*(values[:count] for values in found))
-        if duration is None:
-            duration = float(events.time[-1]) + AFTERGLOW * scene.time_unit
         full = count + 2 > room and reached < end
+        if duration is None:
+            flies, lasts = pair.flies(events)
+            full, events = full and flies == count, Events(*(values[:flies] for values in events))
+            duration = float(events.time[-1]) + min(AFTERGLOW * scene.time_unit, 0.5 * lasts)
         steps = 0 if step is None else int(np.ceil(duration / step))
         return Run(pair, joined, flight, events, duration, full, steps, _end(scene, pair, events, patience))
 

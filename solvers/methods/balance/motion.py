@@ -1,5 +1,6 @@
 """Two bodies as oscillators between balances, and what the balances found as a motion."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -34,6 +35,7 @@ class Pair:
     shortest_period: float
     resolved_time: float  # [s] apart for less is still in contact, as far as these modes resolve it
     patience: float  # [s] for which bodies that move apart are watched
+    weight: float  # acceleration of the impactor by it [m/s2]
 
     @classmethod
     def of(cls, scene: Scene, modes_of) -> "Pair":
@@ -52,19 +54,44 @@ class Pair:
             frequencies.append(own.frequencies)
             closing.append(sign * own.at_contact)
             start.append(np.zeros(own.frequencies.size))
-        rings = any(body.time_unit is not None for body in bodies)
-        # without ringing there is one balance, which takes no time in which the target could be carried on
-        fall, surge = (-scene.target.acceleration, -scene.target.jerk) if rings else (0.0, 0.0)
+        swings = any(own.frequencies.size for own in modes)
+        # without that there is one balance, which takes no time in which anything could speed up
+        fall, surge = (scene.fall, -scene.target.jerk) if swings else (0.0, 0.0)
+        weight = scene.weight_acceleration if swings else 0.0
         bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1], fall, surge)
         highest = float(bank.frequencies.max())
         shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
         rings = [(own, body) for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
         split = modes[0].frequencies.size + 1
         trips = max((body.time_unit or 0.0 for _, body in rings), default=scene.time_unit)
-        longest = max(ROUND_TRIPS * trips, patience(scene))
+        # what moves on by itself is solved as it stands at first, which holds for no longer
+        moves_on = scene.target.acceleration != 0.0 or scene.target.jerk != 0.0
+        longest = ROUND_TRIPS * trips if moves_on else max(ROUND_TRIPS * trips, patience(scene))
         # bending waves disperse: no front runs through a beam
         resolved = (own.shortest_period if body.bends else own.front_time for own, body in rings)
-        return cls(bank, np.concatenate(start), bodies, modes, split, shortest, max(resolved, default=0.0), longest)
+        resolves = max(resolved, default=0.0)
+        return cls(bank, np.concatenate(start), bodies, modes, split, shortest, resolves, longest, weight)
+
+    def flies(self, events: Events) -> tuple[int, float]:
+        """Events up to that after which the impactor flies higher than anything that still rings can reach, and how
+        long that flight takes [s]: what follows, as one falls onto the other, is another impact. All of them where it
+        does not.
+        """
+        bank = self.bank
+        if bank.fall <= 0.0:
+            return events.time.size, math.inf
+        rings = np.arange(bank.closing.size) != bank.target
+        rings[0] = False
+        scale = np.where(rings, bank.frequencies, 1.0)
+        bulge = np.hypot(events.coordinates, events.rates / scale) @ np.where(rings, np.abs(bank.closing), 0.0)
+        rate = bank.closing[0] * events.rates[:, 0] + bank.fall * events.time
+        place = bank.closing[0] * events.coordinates[:, 0] + 0.5 * bank.fall * events.time**2
+        up = np.maximum(-rate, 0.0)
+        rises = np.minimum(up / bank.fall, np.append(np.diff(events.time), math.inf))
+        flies = np.flatnonzero((rises * (up - 0.5 * bank.fall * rises) - place > bulge) & ~events.stuck)
+        if not flies.size:
+            return events.time.size, math.inf
+        return int(flies[0]) + 1, 2.0 * float(up[flies[0]]) / bank.fall
 
     def fields(self) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
         """Shapes, slopes (stress in tension), moments and shears, (modes + 2, x); the impactor is where x is negative.
@@ -118,8 +145,10 @@ class Run:
 
     @property
     def final_velocity(self) -> float:
-        struck = self.pair.bank.closing[0] * self.events.rates[-1, 0]
-        return float(self.pair.modes[0].mean_velocity(self.pair.bodies[0].velocity, struck))
+        bank, last = self.pair.bank, float(self.events.time[-1])
+        struck = bank.closing[0] * self.events.rates[-1, 0] + self.pair.weight * last
+        before = self.pair.bodies[0].velocity + self.pair.weight * last
+        return float(self.pair.modes[0].mean_velocity(before, struck))
 
     @property
     def known(self) -> tuple[Bank, np.ndarray, Joined, Events, np.ndarray]:
@@ -156,19 +185,22 @@ class BalanceMotion(SampledMotion):
         rate, rigid = np.full(count, other.velocity), np.zeros(count)
         if pair.bank.target >= 0:
             rate, rigid = whole, second.moving_energy(other.mass, other.velocity, whole)
+        moved, freely = times * (impactor.velocity + 0.5 * pair.weight * times), impactor.velocity + pair.weight * times
+        place = first.mean_velocity(moved, face)
         energies = {
-            "impactor": first.moving_energy(impactor.mass, impactor.velocity, face_rate) + striker,
+            "impactor": first.moving_energy(impactor.mass, freely, face_rate) + striker,
             "target_rigid": rigid,
             "target_vibration": ringing,
             "local": np.zeros(count),
             "dissipated": lost,
+            **({"weight": -impactor.mass * pair.weight * place} if pair.weight else {}),
         }
         super().__init__(
             time=times,
             force=np.zeros(count),
             impulse=impulse,
-            impactor_position=first.mean_velocity(impactor.velocity * times, face),
-            impactor_velocity=first.mean_velocity(impactor.velocity, face_rate),
+            impactor_position=place,
+            impactor_velocity=first.mean_velocity(freely, face_rate),
             end_position=end,
             end_velocity=end_rate,
             rigid_velocity=second.mean_velocity(other.velocity, rate) + mean,
@@ -195,8 +227,11 @@ class BalanceMotion(SampledMotion):
             drawn = np.linspace(0.0, self.run.duration, DRAWN)
             times, after = drawn, np.searchsorted(events.time, drawn, "right") - 1
         q, p = self.run.states(after, times)
-        drift = np.array([body.velocity for body in pair.bodies])
-        q, p = np.hstack((q, np.multiply.outer(times, drift))), np.hstack((p, np.tile(drift, (times.size, 1))))
+        drift, fall = np.array([body.velocity for body in pair.bodies]), np.array([pair.weight, 0.0])
+        q[:, 0] += 0.5 * pair.weight * times**2 / pair.bank.closing[0]
+        p[:, 0] += pair.weight * times / pair.bank.closing[0]
+        carried = np.multiply.outer(times, drift) + np.multiply.outer(0.5 * times**2, fall)
+        q, p = np.hstack((q, carried)), np.hstack((p, drift + np.multiply.outer(times, fall)))
         return ShapeField(times, q, p, young=1.0, **pair.fields())
 
     def target_state(self, time: np.ndarray) -> TargetState:

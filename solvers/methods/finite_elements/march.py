@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, Self
 
+import numpy as np
+
 from ... import validation
 from ...contact import Linear
 from ...contact.duration import contact_time
@@ -26,6 +28,7 @@ from ..validity import (
     notes_on_front,
     notes_on_rigid_impact,
 )
+from ..weight import comes_to_rest, flights, is_at_rest, moved
 from .motion import Course, ElementMotion
 
 # Of the shortest contact there can be. With fewer the peak force is off by more than the mesh is; orders:
@@ -36,6 +39,7 @@ EXPLICIT_LIMIT_SHARE = 0.8
 # Unless more are asked for. Fewer, and long impacts are solved more coarsely, at which the energy is kept all the same.
 MAX_USUAL_STEPS = 60_000
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
+MOST_CHUNKS = 200  # of what stays within reach under its weight
 SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes
 SETTLED_ERROR = 1e-3  # estimated; with less, many contacts by a law are well determined all the same
@@ -57,7 +61,7 @@ class FiniteElements(Method):
     contact_stiffness: float = option(1.0, real(1e-6, 1e8, "stiffnesses of an element"))  # of a rigid contact
     estimate: bool = field(default=True, repr=False)
 
-    BEAMS = True
+    BEAMS = WEIGHT = RIPPLES = True
 
     def why_not(self, scene: Scene) -> Note | None:
         bodies = (scene.impactor, scene.target)
@@ -125,6 +129,8 @@ class FiniteElements(Method):
             notes.append(Note("mesh-stiffness", Severity.REMARK, factor=factor, both=both, stiffness=stiffness))
         if course.diverged:
             notes.append(Note("diverged", Severity.INVALID))
+        elif scene.weight_acceleration and is_at_rest(scene, motion.impactor_velocity(motion.time), course.force[-1]):
+            notes.append(comes_to_rest(scene, course.duration, float(course.position[-1])))
         elif duration is None and self.steps is None and course.end is End.FOLLOWED:
             notes.append(cut_short(course.steps, "steps"))
         elif course.force[-1] > 0.0:
@@ -315,7 +321,8 @@ class March(NamedTuple):
 
     masses [kg]: what an impact feels of impactor and target as wholes, infinite of what is held; make(steps): an empty
     record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s]; room(record, instant):
-    by how much further the bodies as wholes are apart than their faces reach [m].
+    by how much further the bodies as wholes are apart than their faces reach [m]; pushes(record, instant): impulses of
+    all steps before (steps,) [N s].
     """
 
     masses: tuple[float, float]
@@ -323,6 +330,7 @@ class March(NamedTuple):
     advance: Callable[[int, int, Any], int]
     impulse: Callable[[Any, int], float]
     room: Callable[[Any, int], float]
+    pushes: Callable[[Any, int], np.ndarray]
 
 
 def follow(scene: Scene, plan: Plan, march: March) -> tuple[Any, int, End]:
@@ -337,7 +345,11 @@ def follow(scene: Scene, plan: Plan, march: March) -> tuple[Any, int, End]:
         if reached < until:
             return record, reached, End.FOLLOWED
         done, gained = until, march.impulse(record, until)
-        if gained != before:
+        if plan.count is None and scene.weight_acceleration:
+            how = _under_weight(scene, plan, march, record, done)
+            if how is not None:
+                return record, done, how
+        elif gained != before:
             touched = done
         elif plan.count is None and _apart(scene, march.masses, gained):
             if alike or march.room(record, done) > 0.0:
@@ -345,6 +357,16 @@ def follow(scene: Scene, plan: Plan, march: March) -> tuple[Any, int, End]:
             if (done - touched) * plan.step >= longest:
                 return record, done, End.MAY_TOUCH
     return record, done, End.FOLLOWED
+
+
+def _under_weight(scene: Scene, plan: Plan, march: March, record: Any, done: int) -> End | None:
+    """How a march of what weight brings back has ended by this instant; None: it has not."""
+    pushes = march.pushes(record, done)
+    if flights(scene, plan.step, pushes, march.masses[0]).size:
+        return End.PARTED
+    velocity = moved(scene, plan.step, pushes, march.masses[0])[0]
+    rests = is_at_rest(scene, velocity, float(pushes[-1]) / plan.step)
+    return End.FOLLOWED if rests or done >= MOST_CHUNKS * plan.chunk else None
 
 
 def _apart(scene: Scene, masses: tuple[float, float], pushed: float) -> bool:
@@ -358,7 +380,16 @@ def _grown(record: Any, larger: Any) -> Any:
     return larger
 
 
-def shown(plan: Plan, scene: Scene, last_touch: int, done: int) -> int:
-    """Steps to keep of a march until the bodies parted: a little beyond the last touch, up to a snapshot."""
-    wished = last_touch + math.ceil(AFTERGLOW * scene.time_unit / plan.step)
-    return min(done, plan.stride * math.ceil(wished / plan.stride))
+def shown(plan: Plan, scene: Scene, pushes: np.ndarray, done: int, mass: float) -> int:
+    """Steps to keep of a march until the bodies parted: a little beyond the last touch, up to a snapshot; pushes
+    (steps,): zero where they do not touch. Of one under weight a part of the flight, before it comes back."""
+    touching = np.flatnonzero(pushes > 0.0)
+    last = int(touching[-1]) + 1 if touching.size else 1  # in a step too long for a law they part as they touch
+    glow = math.ceil(AFTERGLOW * scene.time_unit / plan.step)
+    if scene.weight_acceleration:
+        flown = flights(scene, plan.step, pushes, mass)
+        later = touching[touching > flown[0]] if flown.size else touching[:0]
+        last = int(touching[touching < flown[0]][-1]) + 1 if flown.size else last
+        done = int(later[0]) if later.size else done
+        glow = min(glow, max(1, (done - last) // 2))
+    return min(done, plan.stride * math.ceil((last + glow) / plan.stride))

@@ -153,7 +153,7 @@ class FeModal(FiniteElements):
 
         def advance(begin, end, record):
             march(
-                law, spring, first.rigid_mass, second.rigid_mass, 0.0, 0.0, plan.step, bank,
+                law, spring, first.rigid_mass, second.rigid_mass, scene.weight_acceleration, 0.0, plan.step, bank,
                 displacement, velocity, plan.stride, begin, end, record,
             )  # fmt: skip
             return end
@@ -166,10 +166,13 @@ class FeModal(FiniteElements):
             return record.rigid_position[instant] - record.position[instant] - swings
 
         masses = first.rigid_mass, second.rigid_mass
-        record, done, how = follow(scene, plan, March(masses, make, advance, impulse, room))
+
+        def pushes(record, instant):
+            return plan.step * record.contact_force[:instant]
+
+        record, done, how = follow(scene, plan, March(masses, make, advance, impulse, room, pushes))
         if how is not End.FOLLOWED:
-            last = int(np.flatnonzero(record.contact_force[:done])[-1]) + 1
-            done = shown(plan, scene, last, done)
+            done = shown(plan, scene, pushes(record, done), done, masses[0])
         return (first, second), law, residual, plan, record, done, how
 
     def _face_goes_along(self, scene: Scene) -> bool:
@@ -185,8 +188,9 @@ class FeModal(FiniteElements):
             values[: times[rows].size] for values in (record.checkpoint_displacement, record.checkpoint_velocity)
         ]
         impactor, target = ((record.position, record.velocity), (record.rigid_position, record.rigid_velocity))
+        fall, begun = scene.weight_acceleration, [-v[:, split:] for v in snapshots]
         sides = (
-            _side(bodies[0], modes[0], [-v[:, split:] for v in snapshots], [v[rows] for v in impactor], times[rows]),
+            _side(bodies[0], modes[0], begun, [v[rows] for v in impactor], times[rows], fall),
             _side(bodies[1], modes[1], [v[:, :split] for v in snapshots], [v[rows] for v in target], times[rows]),
         )
         push, depth = record.contact_force[:steps], record.indentation[instants]
@@ -208,16 +212,18 @@ class FeModal(FiniteElements):
         else:
             struck = np.array([scene.target.place if isinstance(scene.target, Bending) else 0.0])
             face = np.interp(times, times[rows], field.displacement(times[rows], struck)[:, 0])
+        freely = times * (scene.impactor.velocity + 0.5 * fall * times)
         ringing = [(m, body) for m, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
         velocities = record.velocity[instants], record.rigid_velocity[instants]
-        momenta = [_mean(own, body.velocity, m) for own, body, m in zip(velocities, bodies, modes, strict=True)]
+        before = scene.impactor.velocity + fall * times, scene.target.velocity
+        momenta = [_mean(own, free, m) for own, free, m in zip(velocities, before, modes, strict=True)]
         return Course(
             step=plan.step,
             stride=plan.stride,
             force=force,
             impulse=gained,
             indentation=depth,
-            position=_mean(record.position[instants], scene.impactor.velocity * times, modes[0]),
+            position=_mean(record.position[instants], freely, modes[0]),
             end_position=face,
             end_velocity=np.gradient(face, plan.step),
             target_velocity=momenta[1][rows] + sides[1].mean_rate(modes[1]),
@@ -307,8 +313,11 @@ class _Side(NamedTuple):
         return 0.0 if modes.means is None else self.rates[:, self.wholes :] @ modes.means
 
 
-def _side(body: Any, known: Modes, amplitudes: Sequence, whole: Sequence, times: np.ndarray) -> _Side:
-    """From at_contact * q and at_contact * q' / omega of the modes, and place and velocity where it is struck."""
+def _side(
+    body: Any, known: Modes, amplitudes: Sequence, whole: Sequence, times: np.ndarray, fall: float = 0.0
+) -> _Side:
+    """From at_contact * q and at_contact * q' / omega of the modes, and place and velocity where it is struck; `fall`
+    is what weight gives it [m/s2]."""
     q, rates = amplitudes[0] / known.at_contact, amplitudes[1] * known.frequencies / known.at_contact
     fields: dict[str, Any] = {name: known.with_rigid(name) for name in ("shapes", "slopes", "moments", "shears")}
     if known.moments is None:
@@ -320,8 +329,8 @@ def _side(body: Any, known: Modes, amplitudes: Sequence, whole: Sequence, times:
     turning = free and body.velocity != 0.0 and known.rigid_mean < 1.0 - 1e-12
     if turning:  # the translation that it comes with is more than the motion that an impact gives it
         root = np.sqrt(body.mass - known.rigid_mass)
-        q = np.column_stack((root * body.velocity * times, q))
-        rates = np.column_stack((np.full(times.size, root * body.velocity), rates))
+        q = np.column_stack((root * times * (body.velocity + 0.5 * fall * times), q))
+        rates = np.column_stack((root * (body.velocity + fall * times), rates))
         fields = {name: field and _in_front(field, name == "shapes", known, root) for name, field in fields.items()}
     wholes = int(free) + int(turning)
     return _Side(q, rates, np.append(np.zeros(wholes), known.frequencies), wholes, **fields)

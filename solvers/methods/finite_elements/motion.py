@@ -52,7 +52,10 @@ class ElementMotion(SampledMotion):
         time = np.arange(course.steps + 1) * course.step
         rows = time[:: course.stride][: next(iter(course.energies.values())).size]
         impactor, target = scene.impactor, scene.target
-        rigid = target.velocity + course.impulse / target.mass
+        rigid, energies = target.velocity + course.impulse / target.mass, dict(course.energies)
+        if scene.weight_acceleration:
+            height = course.position[:: course.stride][: rows.size]
+            energies["weight"] = -impactor.mass * scene.weight_acceleration * height
         if target.held:
             rigid = np.interp(time, rows, course.target_velocity)
         super().__init__(
@@ -60,11 +63,11 @@ class ElementMotion(SampledMotion):
             force=course.force,
             impulse=course.impulse,
             impactor_position=course.position,
-            impactor_velocity=impactor.velocity - course.impulse / impactor.mass,
+            impactor_velocity=impactor.velocity + scene.weight_acceleration * time - course.impulse / impactor.mass,
             end_position=course.end_position,
             end_velocity=course.end_velocity,
             rigid_velocity=rigid,
-            energies={name: np.interp(time, rows, values) for name, values in course.energies.items()},
+            energies={name: np.interp(time, rows, values) for name, values in energies.items()},
             field=course.field if target.length else None,
         )
 

@@ -110,6 +110,7 @@ class FeNodal(FiniteElements):
             [mesh.moving(body.velocity) for mesh, body in zip(meshes, (scene.impactor, scene.target), strict=True)]
         )
         u, start, step, stride = np.zeros(v.size), v.copy(), plan.step, plan.stride
+        fall = scene.weight_acceleration
 
         def make(steps: int) -> newmark.Record:
             record = newmark.record(steps, stride, start.size)
@@ -123,19 +124,19 @@ class FeNodal(FiniteElements):
             of_law = asked(law)
 
             def advance(begin, end, record):
-                newmark.march_explicit(*of_law, lossy, explicit, step, u, v, stride, begin, end, record)
+                newmark.march_explicit(*of_law, lossy, explicit, fall, step, u, v, stride, begin, end, record)
                 return end
         elif self.status == "frozen":
             matrices = newmark.newmark(whole, step)
 
             def advance(begin, end, record):
-                return newmark.march_frozen(law.stiffness, matrices, step, u, v, stride, begin, end, record)
+                return newmark.march_frozen(law.stiffness, matrices, fall, step, u, v, stride, begin, end, record)
         else:
             matrices, drift = newmark.newmark(whole, step), whole.wholes.still()
             of_law = stepped(law)
 
             def advance(begin, end, record):
-                newmark.march_implicit(*of_law, matrices, step, u, v, drift, stride, begin, end, record)
+                newmark.march_implicit(*of_law, matrices, fall, step, u, v, drift, stride, begin, end, record)
                 return end
 
         masses = meshes[0].rigid_mass, meshes[1].rigid_mass
@@ -145,16 +146,30 @@ class FeNodal(FiniteElements):
             snapshot = instant // stride
             return _room(bodies, meshes, record.displacement[snapshot], record.velocity[snapshot])
 
-        march = March(masses, make, advance, lambda record, k: float(record.impulse[k]), room)
+        def pushes(record, instant):
+            return np.diff(record.impulse[: instant + 1])
+
+        march = March(masses, make, advance, lambda record, k: float(record.impulse[k]), room, pushes)
         record, done, how = follow(scene, plan, march)
-        diverged = self.status == "frozen" and done < plan.most and how is End.FOLLOWED
+        diverged = self.status == "frozen" and done < plan.most and how is End.FOLLOWED and not fall
         if diverged:
             done -= done % stride
         elif how is not End.FOLLOWED:
-            pressed = np.flatnonzero(record.contact_force[: done + 1] > 0.0)
-            last = int(pressed[-1]) + 1 if pressed.size else 1  # in a step too long for a law they part as they touch
-            done = shown(plan, scene, last, done)
-        return record, max(done, stride), how, diverged
+            done = shown(plan, scene, pushes(record, done), done, masses[0])
+        done = max(done, stride)
+        if fall:
+            _let_fall(record, fall, step, stride, done, np.concatenate((meshes[0].moving(1.0), meshes[1].moving(0.0))))
+        return record, done, how, diverged
+
+
+def _let_fall(record: newmark.Record, fall: float, step: float, stride: int, done: int, moves: np.ndarray) -> None:
+    """Put the impactor, marched in the frame that falls with it, to where it is; moves (unknowns,): of it by 1 m."""
+    time = step * np.arange(done + 1)
+    rows, at = done // stride + 1, time[::stride]
+    record.first[: done + 1] += 0.5 * fall * time**2
+    record.first_velocity[: done + 1] += fall * time
+    record.displacement[:rows] += np.multiply.outer(0.5 * fall * at**2, moves)
+    record.velocity[:rows] += np.multiply.outer(fall * at, moves)
 
 
 def _room(bodies, meshes, u: np.ndarray, v: np.ndarray) -> float:
@@ -181,7 +196,8 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, end, diverged)
     stored = np.array([law.stored(a, most) for a, most in zip(depth, deepest, strict=True)])
     lost = given_up(law, stored, plan.stride * np.arange(rows), np.diff(record.impulse[instants]))
     travelled = np.concatenate(([0.0], np.cumsum(record.impulse[1 : steps + 1] + record.impulse[:steps])))
-    free = scene.impactor.velocity * plan.step * np.arange(steps + 1)
+    time = plan.step * np.arange(steps + 1)
+    free = time * (scene.impactor.velocity + 0.5 * scene.weight_acceleration * time)
     centre = free - 0.5 * plan.step * travelled / scene.impactor.mass
     return Course(
         step=plan.step,

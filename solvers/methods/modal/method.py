@@ -19,8 +19,9 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..estimates import with_error
 from ..options import option, whole, word
-from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience
+from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience, swinging
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
+from . import weight
 from .estimate import MIN_STEPS_PER_CONTACT, MOST_MODES, STEPS_OF_FIRST_CONTACT, error_of_modes, steps_of_a_contact
 from .frames import frame_figures, pivot_figures
 from .motion import ModalMotion, last_touch
@@ -68,7 +69,7 @@ class Modal(Method):
     coarser: float = field(default=1.0, repr=False)  # times the usual step, where no steps are asked for
 
     NAME = "modal"
-    BEAMS = DAMPED = True
+    BEAMS = DAMPED = WEIGHT = RIPPLES = True
     RESOLUTIONS = ("modes", "steps")
 
     def why_not(self, scene: Scene) -> Note | None:
@@ -136,9 +137,12 @@ class Modal(Method):
         return found
 
     def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list) -> list[Note]:
-        notes, raw = [], len(motion.raw_contacts()[0])
+        raw = len(motion.raw_contacts()[0])
+        notes = weight.notes(scene, motion.resting, motion.duration, float(motion.impactor_position(motion.duration)))
         # a given number of steps divides a time that is long enough
-        if not asked and self.steps is None and motion.end is End.FOLLOWED:
+        if notes:
+            pass
+        elif not asked and self.steps is None and motion.end is End.FOLLOWED:
             notes.append(cut_short(motion.steps, "steps"))
         elif contacts[-1].end >= motion.duration * (1.0 - 1e-12):
             notes.append(STILL_TOUCHING)
@@ -294,15 +298,16 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
     law, spring = _contact(scene, pair, step)
     slowest = [2.0 * math.pi / modes.frequencies[0] for modes in (pair.impactor, pair.target) if modes.frequencies.size]
     period, size = max(slowest, default=scene.time_unit), pair.frequencies.size
-    bank, fall, surge = pair.bank(step), -scene.target.acceleration, -scene.target.jerk
+    bank, fall, surge = pair.bank(step), scene.fall, -scene.target.jerk
     stride = max(1, (count or 3 * math.ceil(period / step)) * size // CHECKPOINT_NUMBERS)
     most = count or int(min(MAX_STEPS, math.ceil(MAX_ROUND_TRIPS * scene.time_unit / step)))
-    chunk = count or min(most, math.ceil(period / step))
+    weighs = count is None and scene.weight_acceleration != 0.0
+    chunk = count or min(most, math.ceil(period / step / (weight.PARTS if weighs else 1)))
     record = _record(chunk, stride, size)
     record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
     displacement, velocity = np.zeros(size), np.zeros(size)
-    done, touched, how = 0, 0, End.FOLLOWED
-    alike, longest = moves_alike(scene), patience(scene)
+    done, touched, how, resting = 0, 0, End.FOLLOWED, weight.GOES_ON
+    alike, longest = moves_alike(scene) or not swinging(scene), patience(scene)
     while done < most:
         until = min(done + chunk, most)
         if until > record.contact_force.size:
@@ -313,9 +318,23 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
         )  # fmt: skip
         apart = not record.contact_force[done:until].any()
         done = until
+        if weighs:
+            span = max(until - chunk, 0), done, stride
+            resting, done = weight.state(scene, law, spring, bank, record, span, displacement, velocity, step)
+            if resting == weight.GOES_ON:
+                continue
+            if resting == weight.FLIES:
+                how = End.PARTED
+                last = last_touch(scene, law, record, step, done)
+                glow = math.ceil(AFTERGLOW * scene.time_unit / step)
+                done = min(done, last + min(glow, weight.most_after(scene, record, last, step)))
+            break
         if not apart:
             touched = done
         elif count is None and record.rigid_velocity[done] > record.velocity[done]:
+            last = last_touch(scene, law, record, step, done)
+            if last == done:
+                continue
             swings = np.hypot(displacement, velocity).sum() + spring.compliance * abs(record.spring_force[done])
             if alike or record.rigid_position[done] - record.position[done] > swings:
                 how = End.PARTED
@@ -323,10 +342,9 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
                 how = End.MAY_TOUCH
             else:
                 continue
-            last = last_touch(scene, record.contact_force[:done])
             done = min(done, last + math.ceil(AFTERGLOW * scene.time_unit / step))
             break
-    return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), how)
+    return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), how, resting)
 
 
 def _contact(scene: Scene, pair: Pair, step: float) -> tuple[Any, Residual]:
@@ -350,7 +368,7 @@ def again(motion: ModalMotion, scene: Scene, record: Record | None = None) -> tu
     record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
     displacement, velocity = np.zeros((2, pair.frequencies.size))
     march(
-        law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, -scene.target.acceleration,
+        law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, scene.fall,
         -scene.target.jerk, step, pair.bank(step), displacement, velocity, stride, 0, motion.steps, record,
     )  # fmt: skip
     return ModalMotion(scene, pair, step, stride, record, End.FOLLOWED), record

@@ -28,9 +28,9 @@ class ModalMotion:
     A beam that turns as it moves has one coordinate for both, the place where it is struck: the record holds that.
     """
 
-    def __init__(self, scene: Scene, pair: Pair, step: float, stride: int, record: Record, end: End):
+    def __init__(self, scene: Scene, pair: Pair, step: float, stride: int, record: Record, end: End, resting: int = 0):
         self.scene, self.pair, self.step, self.stride, self.record = scene, pair, step, stride, record
-        self.end, self.target_modes = end, pair.target
+        self.end, self.resting, self.target_modes = end, resting, pair.target
         self.steps = record.contact_force.size
         self.duration = self.steps * step
         self._instants = np.arange(self.steps + 1) * step
@@ -106,12 +106,17 @@ class ModalMotion:
     # --- the bodies as wholes, and their struck faces
 
     def impactor_position(self, time):
-        time, begun = np.asarray(time, float), self.scene.impactor.velocity
-        return self.pair.impactor.mean_velocity(begun * time, self._at(time, self.record.position))
+        time = np.asarray(time, float)
+        return self.pair.impactor.mean_velocity(self._undisturbed(time)[0], self._at(time, self.record.position))
+
+    def _undisturbed(self, time):
+        """Position and velocity of the impactor under its weight alone."""
+        begun, fall = self.scene.impactor.velocity, self.scene.weight_acceleration
+        return time * (begun + 0.5 * fall * time), begun + fall * time
 
     def impactor_velocity(self, time, after=True):
-        struck = self._at(time, self.record.velocity)
-        return self.pair.impactor.mean_velocity(self.scene.impactor.velocity, struck)
+        time = np.asarray(time, float)
+        return self.pair.impactor.mean_velocity(self._undisturbed(time)[1], self._at(time, self.record.velocity))
 
     def rigid_velocity(self, time, after=True):
         """Mean velocity of the target; what is held moves by the mean of its modes."""
@@ -173,7 +178,7 @@ class ModalMotion:
 
     def displacement(self, time, x):
         time, record = np.asarray(time, float), self.record
-        drifts = [velocity * time for velocity in self._drifts]
+        drifts = self._drifts(time, 0)
         struck = self._at(time, record.position), self._at(time, record.rigid_position)
         found = self._field(time, x, self.amplitudes(time)[0], tuple(zip(struck, drifts, strict=True)))
         side = np.where(np.asarray(x, float) < 0.0, -1.0, 1.0)
@@ -181,15 +186,17 @@ class ModalMotion:
 
     def velocity(self, time, x):
         time, record = np.asarray(time, float), self.record
-        drifts = self._drifts
+        drifts = self._drifts(time, 1)
         struck = self._at(time, record.velocity), self._at(time, record.rigid_velocity)
         return self._field(time, x, self._rates(time), tuple(zip(struck, drifts, strict=True)))
 
-    @property
-    def _drifts(self) -> list[float]:
-        """Velocities [m/s] that no impact on the struck place changes all of, as the body turns about another point."""
-        pairs = (self.scene.impactor, self.pair.impactor), (self.scene.target, self.pair.target)
-        return [0.0 if modes.rigid_mean == 1.0 else body.velocity for body, modes in pairs]
+    def _drifts(self, time, rate: int) -> list[np.ndarray]:
+        """How far both bodies move on, or how fast: of that an impact on the struck place does not change all, as the
+        body turns about another point."""
+        target = self.scene.target.velocity
+        moved = self._undisturbed(time)[rate], (target * time, target + 0.0 * time)[rate]
+        wholes = self.pair.impactor, self.pair.target
+        return [move * (modes.rigid_mean != 1.0) for move, modes in zip(moved, wholes, strict=True)]
 
     def stress(self, time, x):
         """Compression positive [Pa]: along a rod, or of a beam on the side that is struck."""
@@ -260,17 +267,19 @@ class ModalMotion:
         damped = self._received[nearest] - ringing.sum(axis=1) if self.pair.damping.any() else 0.0
         stored = np.array([law.stored(a, most) for a, most in pairs])
         lost = given_up(law, stored, nearest, self.record.contact_force)
+        instants, fall = nearest * self.step, self.scene.weight_acceleration
+        freely = self._undisturbed(instants)[1] if fall else impactor.velocity
+        moving = self.pair.impactor.moving_energy(impactor.mass, freely, self.record.velocity[nearest])
+        weight = {"weight": -impactor.mass * fall * self.impactor_position(instants)} if fall else {}
         return {
-            "impactor": self.pair.impactor.moving_energy(
-                impactor.mass, impactor.velocity, self.record.velocity[nearest]
-            )
-            + ringing[:, :split].sum(axis=1),
+            "impactor": moving + ringing[:, :split].sum(axis=1),
             "target_rigid": self.pair.target.moving_energy(
                 target.mass, target.velocity, self.record.rigid_velocity[nearest]
             ),
             "target_vibration": ringing[:, split:].sum(axis=1),
             "local": stored - lost + 0.5 * residual * self.record.spring_force[nearest] ** 2,
             "dissipated": self.record.lost[nearest] + lost + damped,
+            **weight,
         }
 
     @cached_property
@@ -293,10 +302,10 @@ class ModalMotion:
     @cached_property
     def _runs(self) -> np.ndarray:
         runs = np.empty((self.steps // 2 + 1, 2), np.int64)
-        return runs[: modal_contacts.touches(self.record.contact_force, runs)]
+        return runs[: modal_contacts.touches(self.record, self.step, self.deepest, *self._asked(), runs)]
 
     def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
-        """First step, and the one after the last, of every stretch of steps with a force, chatter and all."""
+        """First step, and the one after the last, of every stretch of steps in touch, chatter and all."""
         return self._runs[:, 0], self._runs[:, 1]
 
     @cached_property
@@ -309,11 +318,11 @@ class ModalMotion:
             pressed = self.record.contact_force, self._impulses
             opening = modal_contacts.least_opening(compliance, self.step, window, *pressed)
         parted = self.end is not End.FOLLOWED
-        return modal_contacts.Resolved(self.step, window, opening, every, self.scene.rigid_contact, parted)
+        rigid, gives = self.scene.rigid_contact, compliance > 0.0
+        return modal_contacts.Resolved(self.step, window, opening, every, rigid, gives, parted)
 
     def _asked(self) -> tuple[Any, np.ndarray, np.ndarray]:
-        """The contact law as kernels of contacts take it."""
-        return law_function(type(self._law)), constants_of([self._law])[0], np.empty(2)
+        return asked(self._law)
 
     def uncertain_gaps(self, periods: float) -> int:
         """How many gaps of the raw force are not counted, and yet last longer than so many shortest kept periods."""
@@ -328,9 +337,17 @@ class ModalMotion:
         return [ContactPeriod(*row) for row in table[:count].tolist()]
 
 
-def last_touch(scene: Scene, force: np.ndarray) -> int:
-    """Steps up to the end of the last with a force. Raises SceneError if the target moves away before there is any."""
-    touching = np.flatnonzero(force)
+def asked(law: Any) -> tuple[Any, np.ndarray, np.ndarray]:
+    """The contact law as kernels of contacts take it."""
+    return law_function(type(law)), constants_of([law])[0], np.empty(2)
+
+
+def last_touch(scene: Scene, law: Any, record: Record, step: float, done: int) -> int:
+    """Steps up to the end of the last touch among those that are done; `done` itself while a dent still closes.
+
+    Raises SceneError if the target moves away before there is any.
+    """
+    touching = np.flatnonzero(record.contact_force[:done])
     if not touching.size:
         raise SceneError("impactor.velocity", scene.impactor.velocity, allowed("touch-before-away"))
-    return int(touching[-1]) + 1
+    return modal_contacts.closed(int(touching[-1]) + 1, done, record, step, *asked(law))

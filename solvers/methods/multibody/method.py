@@ -17,7 +17,7 @@ from ...solution.solution import ContactPeriod, Solution
 from ...text.notes import Note, Severity
 from ..base import Method, SceneNotSupported
 from ..estimates import LEFT_BY_MODES, with_error
-from ..mechanisms import freezing_error
+from ..freezing import freezing_error
 from ..options import option, real, whole
 from ..validity import cut_short
 from .flexible_motion import FlexibleMotion
@@ -76,6 +76,7 @@ class Multibody(Method):
     quick: bool = field(default=False, repr=False)  # whether free motion is of second order only, in as many steps
 
     NAME = "multibody"
+    WEIGHT = True
     BEAMS = MOVES = True
 
     def why_not(self, scene: Scene) -> Note | None:

@@ -1,15 +1,12 @@
 """Quasi-static estimates: as if the force were put on slowly, in the structure or at the contact."""
 
 import math
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...bodies import Balls, Bending, Rod, Wall, Waveguide
-from ...contact import Hertz, Linear, Power
-from ...contact.duration import contact_time, exponent_of
-from ...numerics.collisions import Collision, damped_collision, path_collision, power_collision, sine_collision
+from ...contact import Hertz
 from ...numerics.single_degree import (
     SAMPLES,
     SQUARE,
@@ -19,22 +16,26 @@ from ...numerics.single_degree import (
     half_swing,
     instants_of,
     on_spring,
+    on_spring_under_weight,
     spread,
+    sway,
 )
 from ...provenance import clock
 from ...scene import Scene
-from ...solution.sampled_motion import SampledMotion, ShapeField, field_as_a_whole
+from ...solution.sampled_motion import SampledMotion, ShapeField
 from ...solution.solution import ContactPeriod, Solution
-from ...solution.summary import summary
+from ...solution.summary import summary, touching
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..options import option, word
 from ..validity import STILL_TOUCHING
 from .balls import solve_balls
 from .balls import why_not as why_not_balls
+from .local import Estimate, local
 from .springs import is_spring, spring_of
 from .validity import beam_notes, equal_rods, rod_notes, waves_left_out
 
+SWINGS = 5.0  # for which a mass that never leaves a spring is followed
 MODELS = ("auto", "structural", "structural-massless", "structural-printed", "local", "hertz-sine")
 
 
@@ -63,14 +64,16 @@ class QuasiStatic(Method):
     model: str = option("auto", word(MODELS))
 
     NAME = "quasi-static"
+    WEIGHT = True
     WAVES = False
     BEAMS = ROWS = True
 
     def why_not(self, scene: Scene) -> Note | None:
         model = self.model_of(scene)
         target, kinds = scene.target, {"impactor": scene.impactor.kind, "target": scene.target.kind}
-        if isinstance(target, Waveguide) and (target.endless or not isinstance(target, Rod)):
-            return Note("refusals.no-finite-body", Severity.REFUSAL)
+        for body in (scene.impactor, target):
+            if isinstance(body, Waveguide) and (body.endless or not isinstance(body, Rod)):
+                return Note("refusals.no-finite-body", Severity.REFUSAL)
         if isinstance(target, Balls):
             return why_not_balls(scene)
         if not model.startswith("structural"):
@@ -91,6 +94,10 @@ class QuasiStatic(Method):
         if model == "hertz-sine" and not isinstance(scene.contact, Hertz):
             return Note("refusals.not-hertz", Severity.REFUSAL, law=scene.contact.NAME)
         return None
+
+    def takes_weight(self, scene: Scene) -> bool:
+        model = self.model_of(scene)
+        return model != "hertz-sine" and not (model.startswith("structural") and equal_rods(scene))
 
     def _miscounts(self) -> str:
         return "one-contact"
@@ -114,32 +121,32 @@ class QuasiStatic(Method):
         begun = clock()
         model = self.model_of(scene)
         if not model.startswith("structural"):
-            found = _local(scene, model, duration)
+            found = local(scene, model, duration)
         elif equal_rods(scene):
             found = _two_rods(scene, model == "structural-printed", duration)
         else:
             found = _on_spring(scene, model == "structural", duration)
         wall_time = clock() - begun
-        motion, contact = found.motion, found.contact
-        results = summary(scene, motion, [contact], found.duration, wall_time)
+        motion, contacts = found.motion, found.contacts
+        results = summary(scene, motion, contacts, found.duration, wall_time)
         results["diagnostics"] |= {"steps": motion.time.size - 1, "model": model} | found.diagnostics
         return Solution(
             scene=scene,
             method=self.table() | {"model": model},
-            contacts=[contact],
+            contacts=contacts,
             duration=found.duration,
             motion=motion,
-            peak_force=contact.peak_force,
+            peak_force=max(contact.peak_force for contact in contacts),
             peak_indentation=found.peak_indentation,
             residual_indentation=found.residual_indentation,
-            notes=_notes(scene, model, motion, contact, found.duration),
+            notes=found.notes + _notes(scene, model, found),
             **results,
         )
 
 
-def _notes(scene: Scene, model: str, motion: SampledMotion, contact: ContactPeriod, duration: float) -> list[Note]:
+def _notes(scene: Scene, model: str, found: Estimate) -> list[Note]:
     notes = []
-    if contact.end >= duration * (1.0 - 1e-12):
+    if touching(found.contacts, found.duration) and not found.notes:
         notes.append(STILL_TOUCHING)
     structural = model.startswith("structural")
     if structural and isinstance(scene.target, Rod):
@@ -147,7 +154,7 @@ def _notes(scene: Scene, model: str, motion: SampledMotion, contact: ContactPeri
     if structural and scene.target.bends:
         notes += beam_notes(scene)
     if not structural:
-        notes += waves_left_out(scene, motion, contact)
+        notes += waves_left_out(scene, found.motion, found.contacts[0])
     if structural and not scene.rigid_contact:
         notes.append(Note("law-left-out", Severity.WARNING))
     if model == "hertz-sine":
@@ -155,18 +162,6 @@ def _notes(scene: Scene, model: str, motion: SampledMotion, contact: ContactPeri
     if model == "structural-printed":
         notes.append(Note("impulse-as-printed", Severity.WARNING))
     return notes
-
-
-@dataclass(frozen=True)
-class Estimate:
-    """What a quasi-static model says of an impact, which it takes for one contact."""
-
-    motion: SampledMotion
-    duration: float  # [s]
-    contact: ContactPeriod
-    peak_indentation: float | None = None  # [m]
-    residual_indentation: float | None = None  # [m]
-    diagnostics: dict[str, float] = field(default_factory=dict)  # of this model alone
 
 
 class _Instants:
@@ -193,15 +188,20 @@ def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> Estimat
 
     A structure that is free to move goes off as a whole besides: then the reduced mass swings on the spring.
     """
-    mass, target, speed = scene.impactor.mass, scene.target, scene.speed
+    mass, target, speed, fall = scene.impactor.mass, scene.target, scene.speed, scene.weight_acceleration
     spring = spring_of(target)
     reduced, carried = 1.0 / (1.0 / mass + 1.0 / spring.whole_mass), spring.carried if with_mass else 0.0
-    instants = _Instants(half_swing(reduced, carried, spring.stiffness), scene.time_unit, duration)
-    response = Response.of(instants.time)
-    on_spring(reduced, carried, spring.stiffness, speed, response)
+    instants, notes = _swing(scene, reduced, carried, spring.stiffness, duration)
+    if fall:
+        known = reduced, carried, spring.stiffness, speed, fall
+        response = on_spring_under_weight(*known, instants.time, SAMPLES)
+    else:
+        response = Response.of(instants.time)
+        on_spring(reduced, carried, spring.stiffness, speed, response)
     moving = response.impulse / spring.whole_mass
-    moved = (speed * response.time - response.position) * reduced / spring.whole_mass
-    drift, gained = target.velocity * response.time, speed - response.impulse / mass
+    freely = response.time * (speed + 0.5 * fall * response.time)
+    moved = (freely - response.position) * reduced / spring.whole_mass
+    drift, gained = target.velocity * response.time, speed - response.impulse / mass + fall * response.time
     start = 0.5 * target.mass * target.velocity**2 if target.velocity else 0.0
     whole_mass = 0.0 if math.isinf(spring.whole_mass) else spring.whole_mass
     energies = {
@@ -211,11 +211,14 @@ def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> Estimat
         "local": np.zeros_like(moving),
         "dissipated": np.full_like(moving, 0.5 * speed * response.impulse[0]),  # as two bodies become one
     }
+    position = drift + moved + response.position
+    if fall:
+        energies["weight"] = -mass * fall * position
     motion = SampledMotion(
         time=response.time,
         force=response.force,
         impulse=response.impulse,
-        impactor_position=drift + moved + response.position,
+        impactor_position=position,
         impactor_velocity=target.velocity + gained,
         end_position=drift + moved + response.bent,
         end_velocity=target.velocity + moving + response.bent_rate,
@@ -232,7 +235,29 @@ def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> Estimat
             "equivalent_mass": spring.carried,
             "peak_deflection": float(response.bent[: SAMPLES + 1].max()),
         }
-    return Estimate(motion, instants.duration, instants.period(response), diagnostics=extra)
+    return Estimate(motion, instants.duration, [instants.period(response)], diagnostics=extra, notes=notes)
+
+
+def _swing(
+    scene: Scene, mass: float, carried: float, stiffness: float, duration: float | None
+) -> tuple[_Instants, list[Note]]:
+    """The instants of a mass on a spring; under its weight it may never leave, and it comes back where it does."""
+    fall = scene.weight_acceleration
+    if not fall:
+        return _Instants(half_swing(mass, carried, stiffness), scene.time_unit, duration), []
+    known = sway(mass, carried, stiffness, scene.speed, fall)
+    if math.isinf(known.parting):
+        lasts = 2.0 * math.pi * SWINGS / known.frequency if duration is None else duration
+        note = Note("never-leaves", Severity.REMARK, time=lasts, damped=False)
+        return _Instants(lasts, scene.time_unit, lasts), [note]
+    angle = known.frequency * known.parting - known.lag
+    down, left = known.sag + known.reach * math.sin(angle), -known.reach * known.frequency * math.cos(angle)
+    flight = (left + math.sqrt(max(left**2 - 2.0 * fall * down, 0.0))) / fall
+    if duration is None:
+        duration = known.parting + min(AFTERGLOW * scene.time_unit, 0.5 * flight)
+    back = known.parting + flight
+    notes = [Note("weight-brings-back", Severity.WARNING, time=back)] if duration > back else []
+    return _Instants(known.parting, scene.time_unit, duration), notes
 
 
 def _two_rods(scene: Scene, printed: bool, duration: float | None) -> Estimate:
@@ -276,7 +301,7 @@ def _two_rods(scene: Scene, printed: bool, duration: float | None) -> Estimate:
         if isinstance(target, Rod)
         else None,
     )
-    return Estimate(motion, instants.duration, instants.period(response))
+    return Estimate(motion, instants.duration, [instants.period(response)])
 
 
 def _bent_rod(rod: Rod, response: Response, face: np.ndarray, face_rate: np.ndarray) -> ShapeField:
@@ -292,64 +317,3 @@ def _bent_rod(rod: Rod, response: Response, face: np.ndarray, face_rate: np.ndar
 
     coordinates, rates = np.stack((face, response.bent), axis=1), np.stack((face_rate, response.bent_rate), axis=1)
     return ShapeField(response.time, coordinates, rates, shapes, slopes, rod.material.young)
-
-
-def _local(scene: Scene, model: str, duration: float | None) -> Estimate:
-    """Two bodies that move as a whole, with the contact law between them. (3.28)-(3.34)"""
-    law = scene.contact
-    masses = [body.modes(1).rigid_mass for body in (scene.impactor, scene.target)]
-    found = _collision(law, model, 1.0 / sum(1.0 / mass for mass in masses), scene.speed)
-    parting = float(found.time[-1])
-    duration = parting + AFTERGLOW * scene.time_unit if duration is None else duration
-    end = min(parting, duration)
-    within = found.time <= end
-    peak, depth = float(found.force[within].max()), float(found.indentation[within].max())
-    contact = ContactPeriod(0.0, end, float(np.interp(end, found.time, found.impulse)), peak)
-    motion = _as_a_whole(scene, found, max(duration, parting * (1.0 + 1e-9)))
-    extra = {"delivered_restitution": float(-found.rate[-1] / scene.speed)}
-    return Estimate(motion, duration, contact, depth, float(law.dent(depth)), extra)
-
-
-def _as_a_whole(scene: Scene, found: Collision, last: float) -> SampledMotion:
-    """Both bodies about their common centre of mass, and free flight to the `last` instant."""
-    target, impactor = scene.target, scene.impactor
-    first, second = impactor.modes(1), target.modes(1)
-    time, indentation, impulse, stored, lost = (
-        np.append(values, values[-1])
-        for values in (found.time, found.indentation, found.impulse, found.stored, found.lost)
-    )
-    time[-1] = last
-    indentation[-1] += found.rate[-1] * (last - found.time[-1])
-    share = 1.0 / (1.0 + second.rigid_mass / first.rigid_mass)  # of the target in the approach
-    drift = share * impactor.velocity + (1.0 - share) * target.velocity
-    face, end = impactor.velocity - impulse / first.rigid_mass, target.velocity + impulse / second.rigid_mass
-    struck = drift * time - share * indentation
-    return SampledMotion(
-        time=time,
-        force=np.concatenate((found.force[:-1], [0.0, 0.0])),
-        impulse=impulse,
-        impactor_position=first.mean_velocity(impactor.velocity * time, drift * time + (1.0 - share) * indentation),
-        impactor_velocity=first.mean_velocity(impactor.velocity, face),
-        end_position=struck,
-        end_velocity=end,
-        rigid_velocity=second.mean_velocity(target.velocity, end),
-        energies={
-            "impactor": first.moving_energy(impactor.mass, impactor.velocity, face),
-            "target_rigid": second.moving_energy(target.mass, target.velocity, end),
-            "target_vibration": np.zeros_like(end),
-            "local": stored,
-            "dissipated": lost,
-        },
-        field=field_as_a_whole(target, time, struck, end) if target.bends else None,
-        face_velocity=face,
-    )
-
-
-def _collision(law: Any, model: str, mass: float, speed: float) -> Collision:
-    if model == "hertz-sine":
-        return sine_collision(law.stiffness, mass, speed, SAMPLES)
-    if isinstance(law, (Linear, Hertz, Power)):
-        return power_collision(law.stiffness, exponent_of(law), mass, speed, SAMPLES)
-    if law.LOSSY:
-        return damped_collision(law, mass, speed, contact_time(law, mass, speed))
-    return path_collision(law, mass, speed)

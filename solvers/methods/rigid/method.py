@@ -40,13 +40,14 @@ class RigidImpulse(Method):
     model: str = option(MODELS[0], word(MODELS))  # of what rubs
 
     NAME = "rigid"
+    WEIGHT = True  # which has no time to act
     SPATIAL = BEAMS = True
 
     def why_not(self, scene: Scene) -> Note | None:
         target = scene.target
         if target.half_swing is not None:
             return Note("refusals.mass-on-spring", Severity.REFUSAL)
-        if not target.bonded:
+        if not (scene.impactor.bonded and target.bonded):
             return Note("refusals.loose-chain-as-whole", Severity.REFUSAL)
         return None
 

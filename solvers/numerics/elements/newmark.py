@@ -1,7 +1,8 @@
 """Time steps of two meshes: Newmark's constant mean acceleration and, for rods, the explicit central difference.
 
 Both touch every unknown once per step. The contact force F presses the unknown `front` back and `other` forward; the
-indentation is u[front] - u[other]. Where the second body has no node it does not move, and `other` is -1.
+indentation is u[front] - u[other]. Where the second body has no node it does not move, and `other` is -1. Weight gives
+the impactor `fall` [m/s2]: fall t^2 / 2 is then added, and u and v are those in the frame that falls with it.
 Source: thesis 6.4.1 and 8.2 (delta = 1/2, alpha = 1/4).
 """
 
@@ -125,7 +126,7 @@ def _free_change(line, u, v, change):
 
 
 @allocating_kernel
-def march_implicit(law, ask, constants, line, step, u, v, drift, stride, begin, end, record):
+def march_implicit(law, ask, constants, line, fall, step, u, v, drift, stride, begin, end, record):
     """Newmark's step for the bodies; the contact force, constant over it, does exactly the law's work.
 
     u, v (unknowns,) hold instant `begin` and are advanced to `end`, less motions as wholes, which are in `drift`
@@ -148,6 +149,7 @@ def march_implicit(law, ask, constants, line, step, u, v, drift, stride, begin, 
     for k in range(begin, end):
         _free_change(line, u, v, change)
         free = indentation + change[front] - (change[other] if ends else 0.0) + step * _sum(drift, closing, 1)
+        free += fall * step * step * (k + 0.5)
         expected = force + force - force_before
         force_before = force
         force = law(constants, indentation, free, line.compliance, rate_unit, expected, deepest, memory)
@@ -164,7 +166,7 @@ def march_implicit(law, ask, constants, line, step, u, v, drift, stride, begin, 
             drift[0, m] += step * drift[1, m]
         if k % TAKEN_OUT == 0:
             _take_out(shapes, anchors, spans, u, v, drift)
-        rate = v[front] - (v[other] if ends else 0.0) + _sum(drift, closing, 1)
+        rate = v[front] - (v[other] if ends else 0.0) + _sum(drift, closing, 1) + fall * step * (k + 1)
         now = ask(FORCE, constants, indentation, rate, 0.0, deepest)
         _write(record, k + 1, stride, now, impulse, indentation, deepest, lost, u, v, front, other)
         record.first[k + 1] += _sum(drift, at_front, 0)
@@ -179,7 +181,7 @@ def march_implicit(law, ask, constants, line, step, u, v, drift, stride, begin, 
 
 
 @allocating_kernel
-def march_frozen(stiffness, line, step, u, v, stride, begin, end, record):
+def march_frozen(stiffness, line, fall, step, u, v, stride, begin, end, record):
     """Newmark's step with the contact spring [N/m] in the matrix if the faces overlapped when the step began.
 
     The spring joins two unknowns: its part of the solution follows from `response`, without a matrix of its own.
@@ -197,7 +199,7 @@ def march_frozen(stiffness, line, step, u, v, stride, begin, end, record):
     pressed = stiffness * indentation if begin > 0 and record.contact_force[begin - 1] > 0.0 else 0.0
     for k in range(begin, end):
         _free_change(line, u, v, change)
-        free = indentation + change[front]
+        free = indentation + change[front] + fall * step * step * (k + 0.5)
         if other >= 0:
             free -= change[other]
         before, pressed = pressed, held * (free - closing * pressed) if force > 0.0 else 0.0
@@ -206,7 +208,7 @@ def march_frozen(stiffness, line, step, u, v, stride, begin, end, record):
             moved = change[i] - (before + pressed) * response[i]
             u[i] += moved
             v[i] = turn * moved - v[i]
-        indentation = u[front] - (u[other] if other >= 0 else 0.0)
+        indentation = u[front] - (u[other] if other >= 0 else 0.0) + 0.5 * fall * (step * (k + 1)) ** 2
         force = max(stiffness * indentation, 0.0)
         deepest = max(deepest, indentation)
         _write(record, k + 1, stride, force, impulse, indentation, deepest, 0.0, u, v, front, other)
@@ -242,7 +244,7 @@ def _pull(line, u, i):
 
 
 @kernel
-def march_explicit(ask, constants, lossy, line, step, u, v, stride, begin, end, record):
+def march_explicit(ask, constants, lossy, line, fall, step, u, v, stride, begin, end, record):
     """Central difference: u at the instants, v half a step before them (in `record` at the instants).
 
     The law's force belongs to the instant; its rate is carried there by the accelerations. Error: second order, first
@@ -266,12 +268,12 @@ def march_explicit(ask, constants, lossy, line, step, u, v, stride, begin, end, 
         _drift(step, u, v)
         # the state at the next instant, with half a kick of what acts there
         before, was = force, indentation
-        indentation = u[front] - (u[other] if ends else 0.0)
+        indentation = u[front] - (u[other] if ends else 0.0) + 0.5 * fall * (step * (k + 1)) ** 2
         a1 = _pull(line, u, front)
         a2 = _pull(line, u, other) if ends else 0.0
         deepest_before = deepest
         deepest = max(deepest, indentation)
-        rate = v[front] - (v[other] if ends else 0.0) + 0.5 * (a1 - a2)
+        rate = v[front] - (v[other] if ends else 0.0) + 0.5 * (a1 - a2) + fall * step * (k + 1)
         force = ask(FORCE, constants, indentation, rate, slowing, deepest_before)
         impulse += 0.5 * step * (before + force)
         work += 0.5 * (before + force) * (indentation - was)

@@ -17,6 +17,7 @@ from ...jit.kernels import allocating_kernel, inner_kernel, kernel
 from ..arrays import add_to, copy_to, dot, multiply, multiply_by
 from ..free_motion import exact_turn, rise_in, rises, step_back, step_on, sum_after, turn_by
 from ..modes import Modes
+from ..parting import WATCHED_PERIODS
 from .phases import Contact, Phase, Phases
 
 # Of the shortest period kept, at which signs are looked at to find roots. With fewer, contacts are missed; see
@@ -25,9 +26,6 @@ SAMPLES_PER_PERIOD = 16
 MAX_PHASES = 4_000  # changes of modes; more are chatter, which is said
 MAX_SAMPLED_NUMBERS = 1_000_000_000  # samples times modes: some seconds; a longer impact is stopped, which is said
 MAX_FORCE_SAMPLES = 20_000  # kept of each contact; fewer, and drawn forces lose their peaks
-# Lowest periods for which a mass that moves away slowly is watched for another touch. Fewer, and a late contact is
-# missed; more cost time only.
-WATCHED_PERIODS = 20.0
 # Relative difference of squared frequencies below which a mode with the mass and one without are the same, to rounding:
 # such a mode is at rest where the mass sits.
 SAME_MODE = 3e-8

@@ -7,7 +7,7 @@ from ...jit.reference import refer
 from .energies import first_energy, rod_energy
 from .events import NO_PULL
 from .laws import STORED
-from .network import FAILED, FULL, PARTED, STOPPED, separate, solve
+from .network import PARTED, STOPPED, separate, solve
 from .parted import alike, clear, patience
 from .parts import ABSORBING, LAW
 from .record import DEPTH, FORCE, SPEED, highest, pushed, sample_at
@@ -57,53 +57,48 @@ def _reached(state):
 
 @inner_kernel
 def _to_parting(chain, record, state, work, contact, joint, of_law, limit, tolerance):
-    """Until the impactor has parted for good, at most to `limit`: see `numerics.parting`. Returns the status, and
-    whether it may touch again."""
-    wait, longest = patience(chain)
-    doubtful = False
+    """Until the impactor has parted for good, at most to `limit`: see `numerics.parting`. Before a rod without end it
+    is looked at now and then whether anything is left. Returns as `follow` does.
+    """
+    (wait, longest), doubtful, masses = patience(chain), False, of_law[4]
+    endless = chain.kind[-1] == ABSORBING
+    stop, creep = (min(_fading(chain, masses), limit), MILLIONTH) if endless else (limit, NO_PULL)
     while True:
-        status = solve(chain, record, state, work, contact, joint, *of_law, wait, NO_PULL, limit, tolerance)
-        if status != PARTED:
-            return status, doubtful and state.parting[0] < np.inf
-        if alike(chain) or clear(chain, record, of_law[4][-1], _reached(state)):
-            return status, False
-        apart = state.time[chain.contact] - state.parting[0]
-        if apart >= longest:
-            return status, True
-        stop, doubtful = min(state.time[chain.contact] + LOOKS_AGAIN * apart, limit), True
-        status = solve(chain, record, state, work, contact, joint, *of_law, np.inf, NO_PULL, stop, tolerance)
+        status = solve(chain, record, state, work, contact, joint, *of_law, wait, creep, stop, tolerance)
+        if status == PARTED:
+            for node in range(chain.kind.size):  # whether no part will ever catch up with the one before it
+                state.through[node] = pushed(record, node)
+            comes = endless and not separate(chain, masses, state.through, NO_PULL)
+            if comes or alike(chain) or clear(chain, record, masses[-1], _reached(state)):
+                return status, comes, False
+            apart = state.time[chain.contact] - state.parting[0]
+            if apart >= longest:
+                return status, False, True
+            again, doubtful = min(state.time[chain.contact] + LOOKS_AGAIN * apart, stop), True
+            status = solve(chain, record, state, work, contact, joint, *of_law, np.inf, creep, again, tolerance)
+            if status == STOPPED and again < stop:
+                continue
         if status != STOPPED:
-            return status, state.parting[0] < np.inf
+            return status, False, doubtful and state.parting[0] < np.inf
+        faded = False
+        if endless:
+            left = _energy_left(chain, record, contact, joint, of_law[0], work.slopes, _reached(state))
+            faded = left < MILLIONTH**2
+        if faded or stop >= limit:
+            return status, faded, False
+        stop = min(LOOKS_LATER * stop, limit)
 
 
 @kernel
 def follow(chain, record, state, work, contact, joint, of_law, until, most, tolerance):
     """Follow a chain up to `until`, or if that is infinite until the impactor has parted for good, at most to `most`.
 
-    The others as `network.solve` takes them; of_law: (constants, remembers, loses, pulse, masses). Before a rod without
-    end it is looked at now and then whether anything is left. Returns the status, whether nothing is, and whether who
-    has parted may touch again.
+    The others as `network.solve` takes them; of_law: (constants, remembers, loses, pulse, masses). Returns the status,
+    before a rod without end whether nothing is left, and whether who has parted may touch again.
     """
     chain, record, state, work = refer(chain), refer(record), refer(state), refer(work)
-    asked, masses = until < np.inf, of_law[4]
-    endless = not asked and chain.kind[-1] == ABSORBING
     limit = min(until, most)
-    if asked:
+    if until < np.inf:
         status = solve(chain, record, state, work, contact, joint, *of_law, np.inf, NO_PULL, limit, tolerance)
         return status, False, False
-    if not endless:
-        status, doubtful = _to_parting(chain, record, state, work, contact, joint, of_law, limit, tolerance)
-        return status, False, doubtful
-    wait, stop = patience(chain)[1], min(_fading(chain, masses), limit)
-    while True:
-        status = solve(chain, record, state, work, contact, joint, *of_law, wait, MILLIONTH, stop, tolerance)
-        if status in (FULL, FAILED):
-            return status, False, False
-        if status == PARTED:  # whether no part will ever catch up with the one before it, however slowly
-            for node in range(chain.kind.size):
-                state.through[node] = pushed(record, node)
-            return status, not separate(chain, masses, state.through, NO_PULL), False
-        faded = _energy_left(chain, record, contact, joint, of_law[0], work.slopes, _reached(state)) < MILLIONTH**2
-        if faded or stop >= limit:
-            return status, faded, False
-        stop = min(LOOKS_LATER * stop, limit)
+    return _to_parting(chain, record, state, work, contact, joint, of_law, limit, tolerance)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from .hands import paste_into, slide, type_into
 from .test_lesson_page import LATE, LINE, ORDER, button, drawn, in_order, judged, onwards, ready, typed
 
 READ = "() => window.strikewave && !strikewave.page.asked && strikewave.page.root.querySelector('.classes')"
@@ -73,7 +74,7 @@ class Student:
         if self.number % 4 == 2:
             return onwards(page, "Skip →")
         for place in (730, 80)[: 1 + self.number % 2]:
-            page.answered(lambda place=place: page.tab.locator("#choice-mass_ratio").fill(str(place)))
+            page.answered(lambda place=place: slide(page.tab.locator("#choice-mass_ratio"), place))
             self.places.append(page.header("chosen")["mass_ratio"])
         onwards(page)
 
@@ -84,12 +85,11 @@ class Student:
         right = value.endswith("1164") or value == "116.4"
         if self.number % 2:
             page.tab.get_by_label("Unit").select_option(unit)
-        field.fill(value if self.number % 2 else f"{value} {unit}")
+        type_into(field, value if self.number % 2 else f"{value} {unit}")
         button(page, "Check").click()
         again = not right and self.number % 2 == 1
         if again:
-            field.fill("116.4 µs")
-            field.press("Enter")
+            type_into(field, "116.4 µs", "Enter")
         met = right or again
         said = {"": value.replace(",", "."), ".unit": unit, ".tries": 1 + again, ".right": str(met).lower()}
         self.given |= {f"back{key}": str(each) for key, each in said.items()}
@@ -127,7 +127,7 @@ def reading(page) -> None:
 
 
 def put_in(page, lines: list[str]) -> None:
-    page.tab.get_by_role("textbox", name="One code a line").fill("\n".join(lines))
+    paste_into(page.tab.get_by_role("textbox", name="One code a line"), "\n".join(lines))
 
 
 def tables(page) -> dict[str, list[list[str]]]:

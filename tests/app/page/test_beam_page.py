@@ -7,6 +7,7 @@ from playwright.sync_api import expect
 from app.choices.request import Request
 from app.messages.transverse import chosen_method
 
+from .hands import type_into
 from .test_page import check_slider, settled
 
 SCENE = "?scene=figure-8.15"
@@ -232,8 +233,7 @@ def test_a_support_that_would_hold_the_struck_place_moves_the_impact(open_page):
 def test_choices_that_cannot_be_solved_are_set_back(open_page):
     page = open_page("?scene=hammer-on-cantilever")
     place = page.tab.get_by_label("Struck at, exact value")
-    place.fill("0")
-    place.press("Enter")
+    type_into(place, "0", "Enter")
     expect(page.tab.locator(".field-place .wrong")).to_contain_text("Struck at: got 0.0; allowed: a fraction")
     expect(page.tab.locator(".toast:visible")).to_have_count(0)
     expect(place).to_have_value("1")

@@ -2,6 +2,7 @@
 
 from playwright.sync_api import expect
 
+from .hands import arrow, slide, type_into
 from .test_compare_page import KEEP
 from .test_links_page import at_rest, chosen
 from .test_workspace_page import whole
@@ -28,8 +29,7 @@ def typed(page, name: str, text: str, number: int = 2) -> None:
     box = field(page, name, number)
 
     def enter():
-        box.fill(text)
-        box.press("Enter")
+        type_into(box, text, "Enter")
 
     page.answered(enter)
     page.wait("() => !strikewave.page.bodies.asked")
@@ -69,8 +69,7 @@ def test_mass_and_ratio_follow_each_other(open_page):
     typed(page, "Mass, kg", "0.5", 1)
     expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("4.266")
     ratio = page.tab.get_by_label("Mass ratio, exact value")
-    ratio.fill("2")
-    page.answered(lambda: ratio.press("Enter"))
+    page.answered(lambda: type_into(ratio, "2", "Enter"))
     expect(field(page, "Mass, kg", 1)).to_have_value("1.0665")
     expect(page.tab.locator(".field-mass_ratio .ends")).to_have_text("← heavy strikerlight striker →")
 
@@ -80,23 +79,20 @@ def test_what_cannot_be_is_said_at_the_field_and_nothing_is_lost(open_page):
     before, sent = page.header("chosen"), page.quiet()["sent"]
     box = field(page, "Length")
     for given in ("-3", "0", "2 kg", "nan", "1e400", "abc", "<b>x"):
-        box.fill(given)
-        box.press("Enter")
+        type_into(box, given, "Enter")
         expect(page.tab.locator(".wrong:visible")).to_have_count(1)
         expect(page.tab.locator(".wrong:visible")).to_contain_text(f"“{given}” is not possible.")
         assert box.get_attribute("aria-invalid") == "true"
     assert page.quiet()["sent"] == sent and page.header("chosen") == before
     expect(page.tab.locator(".toast:visible")).to_have_count(0)
-    box.fill("600")
-    box.press("Enter")
+    type_into(box, "600", "Enter")
     expect(page.tab.locator(".wrong:visible")).to_have_count(0)
 
 
 def test_what_the_server_refuses_is_said_at_the_field_too(open_page):
     page = open_page()
     box = field(page, "Length")
-    box.fill("9000 m")
-    box.press("Enter")
+    type_into(box, "9000 m", "Enter")
     expect(page.tab.locator(".wrong:visible")).to_have_text(
         "Mass ratio would then be 3·10⁴; it can be from 0.001 to 1000."
     )
@@ -155,8 +151,7 @@ def test_a_mechanism_is_built_otherwise_by_its_links_and_joints(open_page):
     typed(page, "Place y", "", 7)
     expect(page.tab.locator(".of-story")).to_contain_text("Place y 350 mm (body 2, joint crank – coupler)")
     typed(page, "Place y", "500 mm", 7)
-    field(page, "Place x", 7).fill("400 mm")  # where the coupler ends: it would have no length
-    field(page, "Place x", 7).press("Enter")
+    type_into(field(page, "Place x", 7), "400 mm", "Enter")  # where the coupler ends: it would have no length
     expect(page.tab.locator(".wrong:visible")).to_contain_text("The mechanism cannot be like that. Allowed: ")
     expect(field(page, "Place x", 7)).to_have_value("400")
 
@@ -181,14 +176,14 @@ def test_sizes_are_tried_by_sliders_too(open_page):
     body(page, 7).locator("summary").click()
     slider = body(page, 7).get_by_label("Place y, slider")
     expect(slider).to_have_value("100")
-    page.answered(lambda: slider.fill("120"))
+    page.answered(lambda: slide(slider, 120))
     page.wait("() => !strikewave.page.bodies.asked")
     expect(field(page, "Place y", 7)).to_have_value("350")  # a tenth of what the joints are apart, more
-    page.answered(lambda: slider.fill("100"))
+    page.answered(lambda: arrow(slider, 100))
     page.wait("() => location.search === '?scene=four-bar&layout=laboratory'")
     page = open_page("?scene=fixed-rod")
     slider = body(page, 2).get_by_label("Length, slider")
-    page.answered(lambda: slider.fill("200"))
+    page.answered(lambda: slide(slider, 200))
     expect(field(page, "Length")).to_have_value("600")
     typed(page, "Length", "45 cm")
     expect(slider).to_have_value("158")

@@ -3,6 +3,7 @@
 from playwright.sync_api import expect
 from pytest import approx
 
+from .hands import type_into
 from .test_page import settled
 
 PANEL = "strikewave.page.analyses.bounces"
@@ -18,7 +19,7 @@ def test_a_ball_is_dropped_from_any_height_under_any_gravity(open_page):
     page.evaluate("() => strikewave.page.model.bounce_gravity = 9.81")
     page.wait(f"() => {PANEL}.answer.gravity === 9.81 && {PANEL}.root.ariaBusy === 'false'")
     height = page.tab.get_by_label("Drop height, in metres")
-    page.answered(lambda: (height.fill("2"), height.press("Enter")))
+    page.answered(lambda: type_into(height, "2", "Enter"))
     page.wait(FRESH)
     assert page.header("chosen")["speed"] == approx((2 * 9.81 * 2) ** 0.5)
     assert page.evaluate(f"() => {PANEL}.answer.height") == approx(2.0)

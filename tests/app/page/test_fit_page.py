@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from ..fitting import DRAWN, INSTANTS, LARGE, UNREACHED, WRITTEN, lettered
+from .hands import type_into
 
 
 @pytest.mark.parametrize(
@@ -214,8 +215,7 @@ def test_what_is_wrong_with_a_value_is_seen_on_a_phone(open_page):
     page = open_page(size=(390, 844))
     length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
     length.evaluate("element => element.scrollIntoView({ block: 'end' })")
-    length.fill("3 µm")
-    length.press("Enter")
+    type_into(length, "3 µm", "Enter")
     expect(page.tab.locator(".wrong:visible")).to_be_in_viewport(ratio=1)
 
 
@@ -244,8 +244,7 @@ def test_words_beside_bodies_in_space_lie_on_no_handle(open_page, scene):
 def test_limits_of_a_value_are_in_the_unit_of_its_field(open_page):
     page = open_page()
     length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
-    length.fill("3 µm")
-    length.press("Enter")
+    type_into(length, "3 µm", "Enter")
     wrong = page.tab.locator(".wrong:visible")
     expect(wrong).to_have_text("“3 µm” is not possible. Allowed: 0.01 mm to 1e7 mm.")
     expect(length).to_be_focused()

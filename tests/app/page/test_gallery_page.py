@@ -10,6 +10,7 @@ from app.choices.choices import SCENES
 from app.messages.gallery.cards import SCENES_SHOWN
 from solvers.scenes.library import SCENES as FOLDER
 
+from .hands import paste_into, type_into
 from .test_page import settled
 
 ROD = (FOLDER / "free-rod.toml").read_text("utf-8").split("[view]")[0].replace("Steel rod", "My rod")
@@ -98,11 +99,11 @@ def test_all_scenes_are_found_by_words_and_keys(open_page):
     expect(count).to_have_text(f"{len(SCENES)} scenes")
     page.evaluate("() => strikewave.page.root.querySelectorAll('.gallery details').forEach((e) => (e.open = true))")
     assert set(page.evaluate(SEEN)) == set(SCENES)
-    search.fill("7.6")
+    type_into(search, "7.6", "")
     expect(count).to_have_text(f"1 of {len(SCENES)} scenes")
     assert page.evaluate(SEEN) == ["figure-7.6"]
     page.wait("() => location.search.includes('gallery=7.6')")
-    search.fill("xylophone")
+    type_into(search, "xylophone", "")
     cards = page.evaluate(SEEN)[:2]
     assert cards == ["xylophone-bar", "xylophone-bar-node"]
     for key, scene in (("ArrowDown", cards[0]), ("ArrowRight", cards[1]), ("ArrowLeft", cards[0])):
@@ -168,7 +169,7 @@ def test_a_scene_file_dropped_on_the_page_is_solved_kept_and_shared_by_its_link(
     kept.get_by_role("button", name="Edit").click()
     field = page.tab.get_by_label("A scene file")
     expect(field).to_have_value(ROD)
-    field.fill(ROD.replace("My rod", "Another rod"))
+    paste_into(field, ROD.replace("My rod", "Another rod"))
     page.answered(lambda: gallery(page).get_by_role("button", name="Solve it").click())
     expect(gallery(page)).to_be_hidden()
     opened(page)
@@ -185,7 +186,7 @@ def test_a_scene_file_that_cannot_be_is_refused_by_line_and_key_and_the_page_goe
     page.evaluate(DROP, ["mine.toml", wrong])
     expect(page.tab.get_by_role("alert").filter(visible=True)).to_contain_text(f"Line {line}: target.length: got -1")
     assert page.header("chosen")["scene"] == "fixed-rod"
-    page.tab.get_by_label("A scene file").fill(ROD)
+    paste_into(page.tab.get_by_label("A scene file"), ROD)
     page.answered(lambda: gallery(page).get_by_role("button", name="Solve it").click())
     assert page.header("title").startswith("My rod")
     page.evaluate(DROP, ["notes.txt", ROD])

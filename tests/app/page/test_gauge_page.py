@@ -12,6 +12,7 @@ from app.messages.solutions import beside
 from app.messages.transverse import main_solution
 from solvers.accuracy.reference import exact_solution
 
+from .hands import type_into
 from .test_page import settled
 
 STACK = "() => strikewave.page.view.stack.shows('stress')"
@@ -62,12 +63,10 @@ def test_the_place_is_set_by_hand_and_kept_in_the_address(open_page):
         page.tab.locator(":visible")
     )
     expect(field).to_have_value("150")
-    field.fill("300")
-    field.press("Enter")
+    type_into(field, "300", "Enter")
     page.wait("() => strikewave.page.view.gauge.place === 0.3")
     page.wait("() => location.search.includes('gauge=0.3')")
-    field.fill("400")
-    field.press("Enter")
+    type_into(field, "400", "Enter")
     expect(page.tab.locator(".wrong:visible")).to_contain_text("from 0 to 300 mm")
     expect(field).to_have_value("400")
     again = open_page("?gauge=0.1")
@@ -78,12 +77,12 @@ def test_a_rod_that_is_short_for_a_while_leaves_the_place_as_it_was(open_page):
     page = open_page("?gauge=0.1")
     length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
     for written, then in (("30", 0.03), ("300", 0.1)):
-        page.answered(lambda written=written: (length.fill(written), length.press("Enter")))
+        page.answered(lambda written=written: type_into(length, written, "Enter"))
         page.wait(f"() => strikewave.page.view.gauge.place === {then}")
     other = open_page()
     length = other.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
     for written, then in (("30", 0.015), ("300", 0.15)):
-        other.answered(lambda written=written: (length.fill(written), length.press("Enter")))
+        other.answered(lambda written=written: type_into(length, written, "Enter"))
         other.wait(f"() => strikewave.page.view.gauge.place === {then}")
     assert "gauge" not in other.tab.url
 

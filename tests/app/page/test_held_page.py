@@ -1,10 +1,12 @@
 """A link of a teacher: controls that are hidden, fixed or bounded."""
 
+import re
 from urllib.parse import parse_qs
 
 import pytest
 from playwright.sync_api import expect
 
+from .hands import arrow, type_into
 from .test_access_page import findings
 from .test_page import settled
 
@@ -28,13 +30,12 @@ def test_controls_are_hidden_fixed_and_bounded(open_page):
     expect(field(page, "restitution")).to_be_disabled()
     before = chosen(page, "restitution")
     page.evaluate("() => strikewave.page.choose('restitution', 0.123)")
-    page.answered(lambda: field(page, "mass_ratio").fill("1000"))
+    page.answered(lambda: arrow(field(page, "mass_ratio"), 1000))
     assert (chosen(page, "mass_ratio"), chosen(page, "restitution")) == (2, before)
-    page.answered(lambda: field(page, "mass_ratio").fill("0"))
+    page.answered(lambda: arrow(field(page, "mass_ratio"), 0))
     assert chosen(page, "mass_ratio") == 0.1
     number = page.tab.get_by_role("textbox", name="Mass ratio, exact value")
-    number.fill("3")
-    number.press("Enter")
+    type_into(number, "3", "Enter")
     wrong = page.tab.locator(".field-mass_ratio .wrong")
     expect(wrong).to_contain_text("from 0.1 to 2")
     assert chosen(page, "mass_ratio") == 0.1
@@ -145,17 +146,15 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     low = form.get_by_role("textbox", name="Mass ratio, lowest value")
     high = form.get_by_role("textbox", name="Mass ratio, highest value")
     assert (low.input_value(), high.input_value()) == ("0.001", "1000")
-    low.fill("0.1")
-    high.fill("2")
-    high.press("Tab")
+    type_into(low, "0.1")
+    type_into(high, "2")
     expect(seen).to_have_text(
         "A class sees what you see; hidden: Modes, Compare with; fixed: Restitution (rigid); "
         "within bounds: Mass ratio (0.1 to 2); all else is free, but the values of the bodies stay."
     )
     good = link.input_value()
     assert "mass_ratio=0.8&hide=method,modes&fix=restitution&bound=mass_ratio:0.1:2" in good
-    low.fill("3")
-    low.press("Tab")
+    type_into(low, "3")
     expect(form.locator(".wrong:not([hidden])")).to_have_text(
         "Mass ratio: got 3, 2; allowed: two numbers from 0.001 to 1000, the lower one first."
     )
@@ -167,8 +166,7 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     assert "hide=method,modes,mass_ratio&fix=restitution" in link.input_value()
     form.get_by_role("group", name="Mass ratio").get_by_role("button", name="Free").press("Enter")
     assert link.input_value() == ""
-    low.fill("0,1")
-    low.press("Tab")
+    type_into(low, "0,1")
     expect(form.locator(".wrong:not([hidden])")).to_have_count(0)
     assert link.input_value() == good
     page.evaluate("() => { navigator.clipboard.writeText = async (link) => { window.copied = link; }; }")
@@ -184,7 +182,7 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     expect(field(other, "method")).not_to_be_visible()
     expect(field(other, "modes")).not_to_be_visible()
     expect(field(other, "restitution")).to_be_disabled()
-    other.answered(lambda: field(other, "mass_ratio").fill("1000"))
+    other.answered(lambda: arrow(field(other, "mass_ratio"), 1000))
     assert chosen(other, "mass_ratio") == 2
     form = the_form(other)  # begins with what the link says
     expect(form.get_by_role("textbox", name="Mass ratio, highest value")).to_have_value("2")
@@ -215,8 +213,7 @@ def test_the_form_of_links_breaks_no_rule_of_access_and_fits(open_page, query, s
     page = open_page(query, size=size)
     form = the_form(page, *words)
     low = form.get_by_role("textbox").first
-    low.fill("x")
-    low.press("Tab")
+    type_into(low, "x")
     expect(form.locator(".wrong:not([hidden])")).to_have_count(1)
     assert findings(page) == []
     page.tab.emulate_media(color_scheme="dark")
@@ -224,3 +221,12 @@ def test_the_form_of_links_breaks_no_rule_of_access_and_fits(open_page, query, s
     page.fits(size[0])
     assert form.evaluate("form => [form, ...form.children].every((each) => each.scrollWidth <= each.clientWidth)")
     expect(form.locator("textarea")).to_be_in_viewport()
+
+
+def test_where_a_link_hides_what_is_asked_the_source_does_not_tell_it(open_page):
+    page = open_page("?scene=drop-test&layout=opening&hide=law,scene")
+    source = page.tab.locator(".closer .source, .source")
+    expect(source).to_have_count(1)
+    expect(source).to_have_text("")
+    page = open_page("?scene=drop-test&layout=opening")
+    expect(page.tab.locator(".source")).to_have_text(re.compile("^Source: "))

@@ -24,6 +24,7 @@ from ..conftest import Page
 from ..pseudo import BARE, LANGUAGE
 from ..servers import ROOT, free_port
 from ..test_translations import own
+from .hands import type_into
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -211,7 +212,7 @@ def test_numbers_are_typed_with_a_comma_or_a_point(open_page):
     page = open_page("?language=es&layout=laboratory")
     field = page.tab.get_by_label("Razón de masas, valor exacto")
     for given, value in (("0,5", 0.5), ("0.25", 0.25)):
-        page.answered(lambda given=given: (field.fill(given), field.press("Enter")))
+        page.answered(lambda given=given: type_into(field, given, "Enter"))
         assert page.header("chosen")["mass_ratio"] == value
         expect(field).to_have_value(str(value).replace(".", ","))
 

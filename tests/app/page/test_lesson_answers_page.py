@@ -3,6 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
+from .hands import type_into
 from .test_lesson_page import LESSON, answered_choice, button, in_order, onwards, ready
 
 ANSWERS = "() => strikewave.page.opening.teaching.lesson.progress.answers"
@@ -40,9 +41,8 @@ def test_the_summary_says_which_answers_were_right_later_and_what_is_so(open_pag
     onwards(page)
     number = page.tab.get_by_label("Your number")
     for value in ("58", "116.4"):
-        number.fill(value)
         page.tab.get_by_label("Unit").select_option("µs")
-        number.press("Enter")
+        type_into(number, value, "Enter")
     onwards(page)
     button(page, "Check").click()
     in_order(page)

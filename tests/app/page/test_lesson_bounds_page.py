@@ -6,6 +6,7 @@ from playwright.sync_api import expect
 from app.lessons.record import lesson_record
 from app.lessons.shipped import shipped_lesson
 
+from .hands import arrow, type_into
 from .test_access_page import findings
 from .test_lesson_page import LATE, LESSON, READY, button, drawn, judged, onwards, ready
 
@@ -21,12 +22,11 @@ def test_the_slider_of_a_question_reaches_as_far_as_its_range(open_page):
     page = open_page(f"{LESSON}&step=3")
     ready(page)
     slider = page.tab.locator("#choice-mass_ratio")
-    for place, end in (("1000", 10), ("0", 0.34)):
-        page.answered(lambda place=place: slider.fill(place))
+    for place, end in ((1000, 10), (0, 0.34)):
+        page.answered(lambda place=place: arrow(slider, place))
         assert mass_ratio(page) == end
     number = page.tab.get_by_role("textbox", name="Mass ratio, exact value")
-    number.fill("15.8")
-    number.press("Enter")
+    type_into(number, "15.8", "Enter")
     expect(page.tab.locator(".field-mass_ratio .wrong")).to_contain_text("from 0.34 to 10")
     assert findings(page) == []
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('mass_ratio', 15.8)"))

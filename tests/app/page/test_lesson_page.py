@@ -5,6 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
+from .hands import slide, type_into
 from .test_access_page import findings
 
 LESSON = "?lesson=bounce-twice"
@@ -101,18 +102,17 @@ def test_a_lesson_is_walked_through_with_a_pointer(open_page):
     expect(page.tab.locator(".lesson-said")).to_contain_text("the second lasts from 2.03 T to 2.2 T")
     slider = page.tab.locator("#choice-mass_ratio")
     expect(slider).to_be_visible()
-    page.answered(lambda: slider.fill("800"))
+    page.answered(lambda: slide(slider, 800))
     expect(page.tab.locator(".lesson-said").first).to_contain_text("A light mass leaves")
-    page.answered(lambda: slider.fill("80"))
+    page.answered(lambda: slide(slider, 80))
     expect(page.tab.locator(".lesson-more")).to_contain_text("on either side")
     onwards(page)
     expect(page.tab.locator(".clock")).not_to_contain_text("µs")
     number = page.tab.get_by_label("Your number")
-    number.fill("58")
     page.tab.get_by_label("Unit").select_option("µs")
-    number.press("Enter")
+    type_into(number, "58", "Enter")
     expect(page.tab.locator(".lesson-said")).to_contain_text("the front is at the wall")
-    number.fill("0,1164 ms")
+    type_into(number, "0,1164 ms")
     button(page, "Check").click()
     expect(page.tab.locator(".lesson-said")).to_contain_text("This time is T")
     expect(page.tab.locator(".lesson-number")).to_contain_text("2 tries")
@@ -205,7 +205,7 @@ def test_points_are_typed_and_strokes_taken_back(open_page, size):
     page = open_page(f"{LESSON}&step=2", size=size)
     ready(page)
     button(page, "Type points").click()
-    page.tab.get_by_label("A line for each point").fill("0 36\n0,99 8\n1 80\n2.2 0\n2.6 0")
+    type_into(page.tab.get_by_label("A line for each point"), "0 36\n0,99 8\n1 80\n2.2 0\n2.6 0")
     button(page, "Draw them").click()
     expect(button(page, "Show what happens")).to_be_enabled()
     drawn(page, [(0.2, 100), (0.6, 100)])
@@ -262,7 +262,7 @@ def test_the_other_lesson_is_walked_through(open_page):
     page.tab.get_by_label("Neither").check()
     button(page, "Show what happens").click()
     onwards(page)
-    page.tab.get_by_label("Your number").fill("0.447")
+    type_into(page.tab.get_by_label("Your number"), "0.447")
     button(page, "Check").click()
     expect(page.tab.locator(".lesson-said")).to_contain_text("Right")
     onwards(page)
@@ -323,7 +323,7 @@ def test_what_is_no_point_is_named_and_draws_nothing(open_page):
     page = open_page("?lesson=bounce-twice&step=2")
     ready(page)
     button(page, "Type points").click()
-    page.tab.get_by_role("textbox").fill("0 37\nhello\n1 x")
+    type_into(page.tab.get_by_role("textbox"), "0 37\nhello\n1 x")
     button(page, "Draw them").click()
     expect(page.tab.locator(".sketch .wrong")).to_have_text("Not two numbers: hello; 1 x")
     assert button(page, "Show what happens").is_disabled()

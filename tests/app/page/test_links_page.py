@@ -6,6 +6,7 @@ from playwright.sync_api import expect
 from app.choices.choices import SCENES, Choices
 from app.choices.scene_of import choices_of, own_choices
 
+from .hands import type_into
 from .test_compare_page import KEEP, set_and_wait
 from .test_page import settled
 
@@ -111,7 +112,7 @@ def test_undo_and_redo_go_step_by_step_and_back_stays_on_the_page(open_page):
     expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("hertz")
     field = page.tab.get_by_label("Impact speed, exact value")
     at_rest(page)
-    page.answered(lambda: (field.fill("36 km/h"), field.press("Enter")))
+    page.answered(lambda: type_into(field, "36 km/h", "Enter"))
     page.wait("() => location.search.includes('speed=10')")
     page.answered(lambda: field.press("Control+z"))  # in the field itself: field, picture and address agree
     expect(field).to_have_value("1")

@@ -8,6 +8,9 @@ from playwright.sync_api import expect
 from solvers import load
 from solvers.records.files import load_record
 
+from . import hands
+from .hands import arrow, type_into
+
 FIRST_END, SECOND_START, SECOND_END = (
     1.533833820809153,
     2.124623234942172,
@@ -17,17 +20,7 @@ FIRST_END, SECOND_START, SECOND_END = (
 
 def drag(page, name: str, to: float) -> None:
     """Drag a slider with the mouse, to a fraction of its length."""
-    slider = page.tab.get_by_role("slider", name=name, exact=True)
-    slider.scroll_into_view_if_needed()
-    box = slider.bounding_box()
-    start = float(slider.input_value()) / float(slider.get_attribute("max"))
-    inner = box["width"] - 18  # the thumb
-    y = box["y"] + box["height"] / 2
-    page.tab.mouse.move(box["x"] + 9 + start * inner, y)
-    page.tab.mouse.down()
-    for k in range(1, 9):
-        page.tab.mouse.move(box["x"] + 9 + (start + (to - start) * k / 8) * inner, y)
-    page.tab.mouse.up()
+    hands.drag(page.tab.get_by_role("slider", name=name, exact=True), to)
 
 
 def settled(page) -> None:
@@ -162,7 +155,7 @@ def test_play_moves_the_picture_and_sends_nothing(open_page):
 
 def test_scrubbing_moves_one_cursor_in_all_views(open_page):
     page = open_page()
-    page.tab.get_by_role("slider", name="Time").fill("5000")
+    arrow(page.tab.get_by_role("slider", name="Time"), 5000)
     t = page.evaluate("() => strikewave.page.player.t")
     assert t == pytest.approx(0.5 * page.header("duration"))
     # the cursor is the only thing drawn in its colour on the upper canvas of each chart
@@ -255,17 +248,15 @@ def test_dragging_shows_results_on_the_way_and_ends_with_the_newest(open_page):
 def test_exact_values_can_be_typed_and_wrong_ones_are_refused_with_a_sentence(open_page):
     page = open_page()
     field = page.tab.get_by_label("Mass ratio, exact value")
-    page.answered(lambda: (field.fill("0.37"), field.press("Enter")))
+    page.answered(lambda: type_into(field, "0.37", "Enter"))
     assert page.header("chosen")["mass_ratio"] == 0.37
     for wrong in ("5000", "-1", "abc", "0"):
-        field.fill(wrong)
-        field.press("Enter")
+        type_into(field, wrong, "Enter")
         told = page.tab.locator(".field-mass_ratio .wrong")
         expect(told).to_contain_text(f"Mass ratio: “{wrong}” is not possible. ")
         expect(told).to_contain_text("0.001 to 1000")
         expect(field).to_have_value(wrong)  # to be mended, not typed anew
-    field.fill("1,000")
-    field.press("Enter")
+    type_into(field, "1,000", "Enter")
     expect(page.tab.locator(".wrong:visible")).to_contain_text("“1,000” can be read in two ways.")
     expect(page.tab.locator(".toast:visible")).to_have_count(0)
     assert page.header("chosen")["mass_ratio"] == 0.37
@@ -276,15 +267,13 @@ def test_exact_values_can_be_typed_and_wrong_ones_are_refused_with_a_sentence(op
 def test_what_was_typed_is_shown_in_the_unit_of_its_field_also_where_nothing_changes(open_page):
     page = open_page("?law=linear&linear_stiffness=1e6")
     stiffness = page.tab.locator(".field-linear_stiffness .number")
-    page.answered(lambda: (stiffness.fill("2 kN/mm"), stiffness.press("Enter")))
+    page.answered(lambda: type_into(stiffness, "2 kN/mm", "Enter"))
     expect(stiffness).to_have_value("2e6")
     for same in ("2 kN/mm", "2000 N/mm"):
-        stiffness.fill(same)
-        stiffness.press("Enter")
+        type_into(stiffness, same, "Enter")
         expect(stiffness).to_have_value("2e6")
     box = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
-    box.fill("0.3 m")
-    box.press("Enter")
+    type_into(box, "0.3 m", "Enter")
     expect(box).to_have_value("300")
     assert page.evaluate("() => [...document.querySelectorAll('input[inputmode=decimal]')].length") == 0
 
@@ -328,7 +317,7 @@ def test_extremes_are_drawn(open_page, query):
     page = open_page(query)
     assert 0 < page.header("duration") < 1e5
     assert len(set(page.picture())) > 3
-    page.tab.get_by_role("slider", name="Time").fill("9000")
+    drag(page, "Time", 0.9)
     figures = page.tab.locator(".story table.figures").inner_text()
     assert "NaN" not in figures
     assert "Infinity" not in figures

@@ -3,6 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
+from .hands import type_into
 from .test_page import drag, settled
 
 LONG = 60_000  # ms: in a fresh copy kernels are compiled first
@@ -20,14 +21,12 @@ def test_the_plan_follows_the_question_and_can_be_shown(open_page):
     panel = opened(page, "Which model is enough?", "needs")
     expect(panel.locator(".verdict")).to_contain_text("travelling waves")
     expect(panel.locator("thead")).to_contain_text("largest error around here")
-    panel.get_by_label("Allowed error, in percent").fill("10")
-    panel.get_by_label("Allowed error, in percent").press("Enter")
+    type_into(panel.get_by_label("Allowed error, in percent"), "10", "Enter")
     expect(panel.locator(".verdict")).to_contain_text("quasi-static structure")
     page.answered(panel.locator("tr[aria-current]").get_by_role("button", name="show it").click)
     assert page.header("chosen")["method"] == "quasi-static"
     expect(panel.locator("tr[aria-current] button")).to_have_text("shown")
-    panel.get_by_label("Allowed error, in percent").fill("0")
-    panel.get_by_label("Allowed error, in percent").press("Enter")
+    type_into(panel.get_by_label("Allowed error, in percent"), "0", "Enter")
     expect(panel.locator(".wrong:visible")).to_contain_text("from 0.01 to 50")
     expect(panel.get_by_label("Allowed error, in percent")).to_have_value("0")
 
@@ -221,12 +220,10 @@ def test_a_computing_time_chooses_the_method_and_an_impossible_one_says_so(open_
     panel = page.tab.locator(".auto")
     panel.get_by_label("exact waves may be chosen").uncheck()
     panel.get_by_label("Keep to").select_option("time")
-    panel.get_by_label("within, in milliseconds").fill("0.1")
-    panel.get_by_label("within, in milliseconds").press("Enter")
+    type_into(panel.get_by_label("within, in milliseconds"), "0.1", "Enter")
     expect(panel).to_contain_text("100 µs are not enough", timeout=LONG)
     expect(panel.locator(".verdict")).to_contain_text("True error, against the exact waves")
-    panel.get_by_label("within, in milliseconds").fill("0")
-    panel.get_by_label("within, in milliseconds").press("Enter")
+    type_into(panel.get_by_label("within, in milliseconds"), "0", "Enter")
     expect(panel.locator(".wrong:visible")).to_contain_text("from 0.1 to 6000 ms")
 
 
@@ -235,8 +232,7 @@ def test_a_long_search_can_be_cancelled(open_page):
     opened(page, "Choose method by error", "tolerance")
     panel = page.tab.locator(".auto")
     panel.get_by_label("exact waves may be chosen").uncheck()
-    panel.get_by_label("within, in percent").fill("0.0001")
-    panel.get_by_label("within, in percent").press("Enter")
+    type_into(panel.get_by_label("within, in percent"), "0.0001", "Enter")
     panel.get_by_role("button", name="Cancel").click(timeout=LONG)
     expect(panel.get_by_role("button", name="Work it out")).to_be_visible(timeout=LONG)
     expect(panel.locator(".verdict")).to_contain_text("Cancelled", timeout=LONG)

@@ -11,6 +11,7 @@ from app.serving.still import INSTANT, colour, first_still
 from app.text.catalogues import page as texts_of
 from solvers.text.catalogue import SOURCE
 
+from .hands import slide, type_into
 from .test_page import settled
 
 SIZES = [[(1440, 900), (1920, 1080), (1280, 720)], [(390, 844), (820, 1180)]]  # of windows, changed one into the next
@@ -176,7 +177,7 @@ def test_what_is_in_view_is_looped(open_page):
     page.wait("() => strikewave.page.player.t < 0.44")
     assert page.evaluate(T) >= 0.4
     bar = page.tab.get_by_role("slider", name="Time, of what is in view")  # the time bar spans it, too
-    bar.fill("5000")
+    slide(bar, 5000)
     assert page.evaluate("() => strikewave.page.player.bar") == pytest.approx([0.4, 0.5])
     page.evaluate("() => strikewave.page.player.loop()")
     page.wait("() => strikewave.page.player.t > 0.52")
@@ -255,7 +256,7 @@ def test_what_a_field_explains_of_itself_is_no_bar_to_the_next_slider(open_page)
     expect(tip).to_be_visible()
     dock = page.tab.locator(".controls").bounding_box()
     assert tip.bounding_box()["x"] >= dock["x"] + dock["width"]  # beside the controls, and not on them
-    page.answered(lambda: (field.fill("2"), field.press("Enter")))
+    page.answered(lambda: type_into(field, "2", "Enter"))
     expect(tip).to_be_hidden()
     slider = page.tab.get_by_role("slider", name="Impact speed", exact=True).bounding_box()
     page.tab.mouse.move(slider["x"] + 0.5 * slider["width"], slider["y"] + 0.5 * slider["height"])

@@ -1,6 +1,6 @@
 """Mechanisms that tests use, as tables of scene files."""
 
-from solvers import Scene
+from solvers import Scene, Solution
 
 STEEL = {"young": 207e9, "density": 7900.0}
 FLAT = {"width": 0.06, "height": 0.008}
@@ -40,3 +40,11 @@ def rotating_bar(modes: int = 0, **changes) -> Scene:
     }
     impactor = {"kind": "mass", "mass": 1.138, "velocity": 0.0574}
     return Scene.from_table({"impactor": impactor, "target": target}).replace(changes)
+
+
+def closes(found: Solution, rounding: float) -> bool:
+    """Whether the parts of the energy, each found by itself, add up: to rounding, or where links turn meanwhile to what
+    the note says of velocities that are taken in the first configuration."""
+    frozen = [note.values["whole"] / 100.0 for note in found.notes if note.code == "configuration-frozen"]
+    assert not [note for note in found.notes if note.code == "books-open"]
+    return abs(found.diagnostics["energy_error"]) < max(rounding, *frozen, 0.0)

@@ -131,7 +131,9 @@ def test_newmark_tends_to_the_exact_motion_with_the_square_of_the_step(factor, p
         v[0] = 1.0
         record = newmark.record(steps, steps, u.size)
         still = whole.wholes.still()
-        newmark.march_implicit(*stepped(law), newmark.newmark(whole, step), step, u, v, still, steps, 0, steps, record)
+        newmark.march_implicit(
+            *stepped(law), newmark.newmark(whole, step), 0.0, step, u, v, still, steps, 0, steps, record
+        )
         errors.append(record.contact_force.max() / peak - 1.0)
     assert np.abs(errors[-1]) < 1e-6
     assert errors[0] / errors[1] == approx(4.0, rel=0.2)

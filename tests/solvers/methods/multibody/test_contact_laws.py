@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 import solvers
 from solvers import Modal, RigidImpulse, Scene
 from solvers.contact import LAWS
-from solvers.methods.mechanisms import freezing_error
+from solvers.methods.freezing import freezing_error
 from solvers.methods.multibody.method import Multibody
 from solvers.numerics.closed_collisions import deepest_of_power
 from solvers.numerics.collisions import duration_of_power

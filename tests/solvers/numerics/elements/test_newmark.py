@@ -30,7 +30,9 @@ def started(whole: Line, steps: int, stride: int = 1):
 
 def march(law, whole: Line, step: float, u, v, stride: int, steps: int, record) -> None:
     still = whole.wholes.still()
-    newmark.march_implicit(*stepped(law), newmark.newmark(whole, step), step, u, v, still, stride, 0, steps, record)
+    newmark.march_implicit(
+        *stepped(law), newmark.newmark(whole, step), 0.0, step, u, v, still, stride, 0, steps, record
+    )
 
 
 def frozen(elements: int, step: float, factor: float, duration: float):
@@ -39,7 +41,7 @@ def frozen(elements: int, step: float, factor: float, duration: float):
     matrices = newmark.newmark(whole, step)
     steps = round(duration / step)
     u, v, record = started(whole, steps)
-    reached = newmark.march_frozen(stiffness, matrices, step, u, v, 1, 0, steps, record)
+    reached = newmark.march_frozen(stiffness, matrices, 0.0, step, u, v, 1, 0, steps, record)
     return record, reached, steps
 
 
@@ -119,7 +121,7 @@ def test_explicit_steps_are_second_order_too():
     def velocity(steps: int) -> float:
         step = 0.8 * T / steps
         u, v, record = started(whole, steps)
-        newmark.march_explicit(*asked(law), False, newmark.explicit(whole, step), step, u, v, 1, 0, steps, record)
+        newmark.march_explicit(*asked(law), False, newmark.explicit(whole, step), 0.0, step, u, v, 1, 0, steps, record)
         return float(record.first_velocity[-1])
 
     found = [velocity(400 * 2**i) for i in range(4)]
@@ -151,7 +153,7 @@ def test_the_explicit_limit_is_sharp_and_includes_the_contact_spring(factor):
         u, v, record = started(whole, 4000)
         step = share * limit
         newmark.march_explicit(
-            *asked(Glued(stiffness)), False, newmark.explicit(whole, step), step, u, v, 1, 0, 4000, record
+            *asked(Glued(stiffness)), False, newmark.explicit(whole, step), 0.0, step, u, v, 1, 0, 4000, record
         )
         reach[share] = np.abs(record.displacement).max()
     assert reach[0.99] < 10.0 * T  # metres at 1 m/s: bounded
@@ -168,7 +170,9 @@ def test_one_node_is_a_mass_and_none_a_wall():
     for explicit in (False, True):
         u, v, record = started(whole, steps)
         if explicit:
-            newmark.march_explicit(*asked(law), False, newmark.explicit(whole, step), step, u, v, 1, 0, steps, record)
+            newmark.march_explicit(
+                *asked(law), False, newmark.explicit(whole, step), 0.0, step, u, v, 1, 0, steps, record
+            )
         else:
             march(law, whole, step, u, v, 1, steps, record)
         assert record.first_velocity[-1] == approx(-1.0, abs=1e-5)

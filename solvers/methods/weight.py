@@ -1,0 +1,85 @@
+"""The weight of what falls, for methods that leave it out while it touches: how much that matters."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ..contact.duration import contact_time
+from ..numerics.weighted_path import RESTING
+from ..scene import Scene
+from ..solution.solution import Solution
+from ..text.notes import Note, Severity
+
+PARTS = 4  # of the time so far, in the last of which a body at rest does not move
+MAX_LEFT_OUT = 0.01  # of the speed of approach: with more a method that leaves weight out refuses the scene
+
+
+def weight_too_large(scene: Scene) -> Note | None:
+    """Why a scene is refused by a method without weight; None: so little is left out that a note says all."""
+    share = scene.weight_acceleration * about_so_long(scene) / scene.speed
+    return Note("refusals.weight", Severity.REFUSAL, share=100.0 * share) if share > MAX_LEFT_OUT else None
+
+
+def about_so_long(scene: Scene) -> float:
+    """An impact on what is held [s]: half a swing on what gives way, the contact by itself, and a round trip."""
+    bends = math.pi * math.sqrt(scene.impactor.mass * scene.target.softness)
+    alone = 0.0 if scene.rigid_contact else contact_time(scene.contact, scene.reduced_mass, scene.speed)
+    rings = sum(body.time_unit or 0.0 for body in (scene.impactor, scene.target))
+    return bends + alone + rings
+
+
+def leave_out_weight(solution: Solution) -> None:
+    """Say by how much velocities are off without weight, g t / v up to the last parting, and count it as an error."""
+    scene = solution.scene
+    if not scene.weight_acceleration or not solution.contacts:
+        return
+    lasts = min(solution.contacts[-1].end, solution.duration)
+    share = scene.weight_acceleration * lasts / scene.speed
+    grave = Severity.REMARK if share <= MAX_LEFT_OUT else Severity.WARNING
+    left_out = Note("weight-left-out", grave, share=100.0 * share)
+
+    def with_share(_: Solution, found: dict[str, Any]) -> dict[str, Any]:
+        return found | {"estimated_error": (found.get("estimated_error") or 0.0) + share}
+
+    solution.refine("diagnostics", with_share)
+    solution.refine("notes", lambda _, notes: [*notes, left_out])
+
+
+def is_at_rest(scene: Scene, velocity: np.ndarray, force: float) -> bool:
+    """Whether an impactor, with velocities so far (instants,) [m/s], hardly moves any more, pressed by its weight."""
+    weight, last = scene.impactor.mass * scene.weight_acceleration, velocity[-max(2, velocity.size // PARTS) :]
+    still = np.abs(last).max() <= RESTING * np.abs(velocity).max()
+    return bool(still and abs(force - weight) <= RESTING * weight)
+
+
+def moved(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> tuple[np.ndarray, np.ndarray]:
+    """Velocity and place of the impactor as a whole at all instants, by its weight and by pushes (steps,) [N s]."""
+    time = step * np.arange(pushes.size + 1)
+    velocity = scene.impactor.velocity + scene.weight_acceleration * time - np.append(0.0, np.cumsum(pushes)) / mass
+    return velocity, np.append(0.0, np.cumsum(0.5 * step * (velocity[1:] + velocity[:-1])))
+
+
+def flights(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> np.ndarray:
+    """Instants without a force at which the impactor is higher than anything that still rings can reach.
+
+    pushes (steps,) [N s]. At most that is sqrt(2 E C), by the energy E that the impactor and its height leave, and
+    static compliance C.
+    """
+    velocity, place = moved(scene, step, pushes, mass)
+    rings = scene.initial_energy + mass * scene.weight_acceleration * place - 0.5 * mass * velocity**2
+    give = scene.impactor.softness + scene.target.softness
+    reach = np.sqrt(2.0 * np.maximum(rings, 0.0) * give)
+    return np.flatnonzero((np.append(pushes, 0.0) == 0.0) & (np.append(0.0, pushes) == 0.0) & (-place > reach))
+
+
+def comes_to_rest(scene: Scene, time: float, depth: float) -> Note:
+    """That it does, after a time [s], so far from where it touched first [m]."""
+    weight = scene.impactor.mass * scene.weight_acceleration
+    return Note("comes-to-rest", Severity.REMARK, time=time, depth=depth, force=weight)
+
+
+def falls_along(scene: Scene) -> list[Note]:
+    """Where nothing holds the target, it falls as what strikes it does."""
+    alike = scene.gravity and not scene.target.held and not scene.prescribed_force
+    return [Note("weight-falls-along", Severity.REMARK)] if alike else []
