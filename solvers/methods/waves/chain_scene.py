@@ -69,6 +69,12 @@ def end_of(body: AnyBody) -> End:
     return End(BONDED if last.end_mass else FREE, last.end_mass, last.velocity)
 
 
+def all_bonded(scene: Scene) -> bool:
+    """Whether no rod of either body can come apart from the next: else each would fall, and rest, by itself."""
+    bodies = [body for body in (scene.impactor, scene.target) if isinstance(body, Waveguide)]
+    return all(joint.bonded for body in bodies for joint in body.joints)
+
+
 class ChainScene:
     """What the kernels take of a scene."""
 
@@ -148,7 +154,7 @@ class ChainScene:
             gap,
             self.contact,
             self.ends[1].spring * self.speed * self.trip / self.force_unit,
-            scene.weight_acceleration * self.trip / self.speed,
+            scene.weight_acceleration * self.trip / self.speed if all_bonded(scene) else 0.0,
         )
 
     def _pulse(self) -> np.ndarray:
