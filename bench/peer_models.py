@@ -19,7 +19,7 @@ from scipy.integrate import solve_ivp
 from scipy.sparse.linalg import splu
 
 from solvers import Scene
-from solvers.jit.kernels import kernel
+from solvers.jit.kernels import allocating_kernel
 
 SOLVE_IVP_TOLERANCE = 1e-3  # relative, its own default; DOP853 holds it with the fewest evaluations of its methods
 VERLET_COURANT = 0.5  # 1/sqrt(2) and more is unstable with the penalty spring
@@ -83,7 +83,7 @@ def solve_ivp_elements(problem: Problem, elements: int) -> Run:
     return run
 
 
-@kernel
+@allocating_kernel
 def _rates(time, state, element_mass, stiffness, penalty, mass):
     nodes = state.size // 2 - 1
     rates = np.empty_like(state)

@@ -55,11 +55,16 @@ def read_joint_laws(impactor: AnyBody, target: AnyBody, contact: object) -> tupl
             read_law("contact", contact, front, behind)
             for front, behind in zip(coming[:-1], target.balls[1:], strict=True)
         )
-    if not isinstance(target, Rods):
+    return chain_laws("target", target, impactor.velocity - target.velocity) if target.rods else ()
+
+
+def chain_laws(key: str, chain: AnyBody, speed: float) -> tuple[Law | None, ...]:
+    """Of the joints of a chain of rods; `speed` [m/s]: of the approach that laws may hang on."""
+    if not isinstance(chain, Rods):
         return ()
-    coming = [replace(rod, velocity=impactor.velocity) for rod in target.rods]
-    pairs = zip(target.joints, coming[:-1], target.rods[1:], strict=True)
+    coming = [replace(rod, velocity=rod.velocity + speed) for rod in chain.rods]
+    pairs = zip(chain.joints, coming[:-1], chain.rods[1:], strict=True)
     return tuple(
-        None if joint.bonded else read_law(f"target.rods[{number}].contact", joint.contact or {}, front, behind)
+        None if joint.bonded else read_law(f"{key}.rods[{number}].contact", joint.contact or {}, front, behind)
         for number, (joint, front, behind) in enumerate(pairs, 2)
     )

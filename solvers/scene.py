@@ -20,6 +20,7 @@ from .bodies import (
     Pulse,
     RigidMass,
     Rod,
+    Rods,
     Wall,
     Waveguide,
     in_space,
@@ -30,7 +31,7 @@ from .bodies.lumped import SPEED_RANGE
 from .contact import Rigid, check_law
 from .contact.duration import contact_time
 from .contact.protocol import Law
-from .contact_table import read_contact_normal, read_joint_laws, read_law
+from .contact_table import chain_laws, read_contact_normal, read_joint_laws, read_law
 from .numerics.rigid import impulses
 from .validation import SceneError, allowed, told
 
@@ -39,6 +40,7 @@ LONGEST_NOTE = 600  # characters
 RIGID: Any = Rigid()  # the contact of a scene that says nothing of it
 KEYS = ("title", "source", "note", "impactor", "target", "contact", "method", "view")
 IN_PLACE = {"velocity": ("height",), "height": ("velocity",)}  # of what of an impactor a key stands
+ALONG_AXIS = ("mass", "sphere", "rod", "rods", "beam")  # kinds that a velocity along the axis moves as wholes
 
 
 @dataclass(frozen=True)
@@ -63,10 +65,11 @@ class Scene:
     friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
     view: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
     gravity: float = 0.0  # that pulls the impactor along the axis towards the target [m/s2]
+    striker_laws: tuple[Law | None, ...] = ()  # as `joint_laws`, of a chain of rods that strikes
 
     def __post_init__(self) -> None:
         # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
-        if isinstance(self.impactor, Rod) and self.impactor.held and not self.given:
+        if isinstance(self.impactor, Waveguide) and self.impactor.held and not self.given:
             raise SceneError("impactor.support", self.impactor.support, allowed("choice", options=["free"]))
         check_law(type(self.contact))
 
@@ -109,6 +112,7 @@ class Scene:
             read_gravity(given["impactor"])
             if not any(isinstance(body, Mechanism) for body in (impactor, target))
             else 0.0,
+            chain_laws("impactor", impactor, impactor.velocity - target.velocity) if impactor.rods else (),
         )
 
     def replace(self, changes: Mapping[str, Any]) -> "Scene":
@@ -167,7 +171,7 @@ class Scene:
     def _dropped(self, impactor: dict[str, Any]) -> dict[str, Any]:
         """The table of the impactor, with its gravity, and the height of its fall where that is given."""
         given = self.given.get("impactor", {})
-        if isinstance(self.target, Mechanism) and not isinstance(self.impactor, Pivoted):
+        if self.impactor.kind in ALONG_AXIS:
             impactor = impactor | {"velocity": self.impactor.velocity}  # which may be zero, and cannot be left out
         if "height" not in given or fallen(given, self.impactor.kind)["velocity"] != self.impactor.velocity:
             return impactor | ({"gravity": self.gravity} if self.gravity else {})
@@ -284,6 +288,17 @@ class Scene:
         return sum(body.kinetic_energy for body in (self.impactor, self.target) if not isinstance(body, Pulse))
 
     @property
+    def rods(self) -> list[Rod]:
+        """Of both bodies, along which waves keep their shape, from left to right."""
+        return [*self.impactor.rods[::-1], *self.target.rods]
+
+    @property
+    def impedance(self) -> float:
+        """Of the struck end of the target [kg/s] or, where no rod is struck, of the end of the rod that strikes."""
+        rods = self.target.rods or self.impactor.rods
+        return rods[0].impedance
+
+    @property
     def halting_time(self) -> float:
         """m / Z of a compact body on a rod [s]: in this time a wave brings it to rest; of one on a beam its
         `halting_time`; infinite for any other pair.
@@ -321,8 +336,10 @@ def _read_impactor(given: object, target: AnyBody) -> AnyBody:
             raise SceneError(
                 key, target.support if isinstance(target, Rod) else target.kind, allowed("mechanism-strikes")
             )
-    if not isinstance(target, Mechanism) or not isinstance(given, Mapping):
+    if not isinstance(given, Mapping):
         return read_body("impactor", given)
+    if not isinstance(target, Mechanism):
+        return _read_met(given, target)
     if given.get("kind") in (Body.kind, Pulse.kind):
         raise SceneError("impactor.kind", given["kind"], allowed("strikes-mechanism"))
     fastest, known = SPEED_RANGE[1], "velocity" in given
@@ -332,6 +349,18 @@ def _read_impactor(given: object, target: AnyBody) -> AnyBody:
     if not known or isinstance(found, Pivoted):
         return found
     return replace(found, velocity=validation.number("impactor.velocity", given["velocity"], -fastest, fastest, "m/s"))
+
+
+def _read_met(given: Mapping[str, Any], target: AnyBody) -> AnyBody:
+    """What strikes; where the target comes towards it, it may stand still or move the same way more slowly."""
+    comes = isinstance(target.velocity, (int, float)) and target.velocity < 0.0
+    if not comes or "velocity" not in given or given.get("kind", "mass") not in ALONG_AXIS:
+        return read_body("impactor", given)
+    fastest = SPEED_RANGE[1]
+    found: Any = read_body("impactor", {**given, "velocity": fastest})
+    velocity = validation.number("impactor.velocity", given["velocity"], -fastest, fastest, "m/s")
+    moving = {"rods": tuple(replace(rod, velocity=velocity) for rod in found.rods)} if isinstance(found, Rods) else {}
+    return replace(found, velocity=velocity, **moving)
 
 
 def _on_rod(pulse: Pulse, target: AnyBody, contact: object) -> Pulse:

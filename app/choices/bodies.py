@@ -21,7 +21,7 @@ from .mechanism import PLACED, mechanism_parts, move, on_mechanism
 from .part import QUANTITIES, RANGES, Part, in_table
 
 Values = dict[str, float | str]  # by key
-_PART = r"impactor|target(?:\.rods\.(?:[1-9]|1[0-2])|\.(?:links|joints)\.[1-9]\d?)?"
+_PART = r"(?:impactor|target)(?:\.rods\.(?:[1-9]|1[0-2]))?|target\.(?:links|joints)\.[1-9]\d?"
 _KEY = re.compile(rf"({_PART})\.({'|'.join(map(re.escape, QUANTITIES))})")
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 _HARMLESS = re.compile(r"[\w.+-]{1,24}", re.ASCII)  # a word or a number, which may be repeated to who has written it
@@ -33,9 +33,10 @@ def parts_of(scene: Scene) -> list[Part]:
     """Its bodies, the rods of a chain one by one, and links and joints of a mechanism."""
     given: Mapping[str, Any] = scene.given or scene.table()
     parts = [_part(name, getattr(scene, name), given[name]) for name in ("impactor", "target")]
-    if isinstance(chain := given["target"].get("rods"), list):
-        rods = zip(scene.target.rods, chain, strict=True)
-        parts += [_part(f"target.rods.{number}", rod, table) for number, (rod, table) in enumerate(rods, 1)]
+    for name in ("impactor", "target"):
+        if isinstance(chain := given[name].get("rods"), list):
+            rods = zip(getattr(scene, name).rods, chain, strict=True)
+            parts += [_part(f"{name}.rods.{number}", rod, table) for number, (rod, table) in enumerate(rods, 1)]
     if on_mechanism(scene):
         parts += mechanism_parts(scene, given["target"])
     return parts

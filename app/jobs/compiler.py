@@ -22,7 +22,7 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
-from solvers.jit.cache import FOLDER, all_compiled
+from solvers.jit.cache import FOLDER, all_compiled, can_keep
 from solvers.jit.shortcuts import shorten
 from solvers.methods.multibody.method import Multibody
 
@@ -51,8 +51,9 @@ class Compiler:
 
     def start(self) -> None:
         """Begin with what visitors usually ask for."""
-        with self._lock:
-            self._running()
+        if can_keep():
+            with self._lock:
+                self._running()
 
     def stop(self) -> None:
         """End the process, if there is one."""
@@ -62,7 +63,12 @@ class Compiler:
                 self._process.wait()
 
     def ask(self, work: str, choices: dict[str, Any]) -> Future:
-        """Have the kernels of this work compiled; the answer comes when they are, or when the process has died."""
+        """Have the kernels of this work compiled; the answer comes when they are, or when the process has died; at once
+        where they cannot be kept, so that who asks compiles them without having waited."""
+        if not can_keep():
+            answer: Future = Future()
+            answer.set_result(None)
+            return answer
         line = json.dumps([work, choices])
         with self._lock:
             if line in self._waiting:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from solvers import ContactPeriod, Modal, Rod, Scene, Solution, Waveguide
-from solvers.bodies import Balls, FlexiblePendulum
+from solvers.bodies import AnyBody, Balls, FlexiblePendulum
 from solvers.contact.duration import exponent_of
 from solvers.contact.protocol import Damped
 from solvers.contact.viscous import LEAST_RESTITUTION
@@ -111,7 +111,7 @@ def _impactor(scene: Scene) -> dict[str, Any]:
     """What it is drawn by."""
     impactor = scene.impactor
     own = {
-        "kind": impactor.kind,
+        "kind": "rod" if impactor.rods else impactor.kind,  # a chain is drawn as one
         "mass": min(impactor.mass, LARGEST_MASS),
         "radius": getattr(impactor, "radius", None),
     }
@@ -248,7 +248,7 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
 
     A uniform rod that is fixed or free at its far end is its own mirror: one wave says all.
     """
-    bodies, target = [*scene.impactor.rods, *scene.target.rods], scene.target
+    bodies, target = scene.rods, scene.target
     motion, unit = exact.motion, 1.0
     if isinstance(scene.impactor, FlexiblePendulum) and isinstance(target, Waveguide):
         motion, unit = waves_of_force(exact)
@@ -256,11 +256,11 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
         return [], {}
     trip, reach = scene.time_unit, exact.duration / scene.time_unit
     first = len(bodies) - len(target.rods)
-    joints = [None] * (first + 1) + ["bonded" if joint.bonded else "touching" for joint in target.joints]
+    joints = [None, *_joined(scene.impactor)[::-1], *([None] if first else []), *_joined(target)]
     mirrored = len(bodies) == 1 and bodies[0].support != "anechoic" and not bodies[0].end_mass
     waves = len(bodies) * (1 if mirrored else 2)
     even = np.linspace(0.0, reach, WAVE_NUMBERS // (2 * waves))
-    edge = -bodies[0].length if first else 0.0
+    edge = -scene.impactor.length if first else 0.0
     rods, arrays = [], {}
     for number, body in enumerate(bodies):
         rods.append(
@@ -280,6 +280,12 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
             time, wave = _wave_history(motion, number, way, even)
             arrays |= {f"{'f' if way else 'g'}{number}Time": time, f"{'f' if way else 'g'}{number}": unit * wave}
     return rods, arrays
+
+
+def _joined(chain: AnyBody) -> list[str]:
+    """How its rods are joined, from the contact on."""
+    joints = chain.joints if isinstance(chain, Waveguide) else ()
+    return ["bonded" if joint.bonded else "touching" for joint in joints]
 
 
 def _gaps(exact: Solution) -> list[list[float]]:

@@ -18,7 +18,7 @@ def chain_fields(scene: Scene, exact: Solution, other: Solution | None) -> dict[
     Rigid faces only: a method beside is the same at any speed then, as it is linear too. None for other impacts.
     """
     target = scene.target
-    if not isinstance(target, Waveguide) or not isinstance(scene.impactor, (RigidMass, Rod)):
+    if not isinstance(target, Waveguide) or not isinstance(scene.impactor, (RigidMass, Rod)) or scene.impactor.end_mass:
         return None
     rigid = all(law is None or isinstance(law, Rigid) for law in (scene.contact, *scene.joint_laws))
     if not rigid or exact.method["name"] != Waves.NAME or _is_plain(scene) or "steps" in scene.method:

@@ -13,7 +13,6 @@ from weakref import WeakKeyDictionary
 import panel as pn
 import param
 from panel.io.document import unlocked
-from panel.io.resources import LOCAL_DIST
 from param.parameterized import _syncing
 
 from solvers import Waves
@@ -97,6 +96,12 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     @classmethod
     def _component_resource_path(cls, esm_path: Any, compiled: Any) -> str:
         return "/".join([*filter(None, [pn.state.rel_path]), f"assets/{VERSION}/page.js"])  # served like all of ours
+
+    def _get_model(self, *where: Any, **how: Any) -> Any:
+        """Without the styles that Panel has for inputs of its own: there are none here, and each names its version."""
+        model = super()._get_model(*where, **how)
+        model.stylesheets = []  # pyright: ignore[reportAttributeAccessIssue]
+        return model
 
     def _hold(self) -> None:
         """Hold what is known of scenes of the visitor's own: of that which is chosen, and of that which is shown."""
@@ -321,7 +326,6 @@ def create() -> "Lab":
     if document is not None:
         document.config.reconnect_session = False  # the page comes back with a session of its own, see connection.js
         document.config.notify_connection_status = False
-        document.template_variables["dist_url"] = LOCAL_DIST  # else styles are fetched from another host
         _LABS[document] = lab
     if reasons := [*taken.refused, *json.loads(lab.refused or "[]")]:
         lab.refused = json.dumps(reasons)  # which the browser shows one after the other

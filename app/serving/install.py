@@ -4,6 +4,7 @@ from socket import socket
 from typing import Any
 
 from bokeh.server import server as bokeh_server
+from bokeh.server import tornado as bokeh_tornado
 from bokeh.server.urls import per_app_patterns
 from bokeh.server.util import bind_sockets
 from panel.io.server import ComponentResourceHandler
@@ -21,6 +22,7 @@ def install() -> None:
     if per_app_patterns[0][1] is Socket:
         return
     per_app_patterns[:] = [(r"/ws", Socket), (r"/?", Page)]
+    bokeh_tornado.create_static_handler = _no_static
     RequestHandler.set_default_headers = set_headers  # pyright: ignore[reportAttributeAccessIssue]
     ComponentResourceHandler.parse_url_path = _nothing_here  # it imports the module that an address names
     StaticFileHandler.get = _without_null(StaticFileHandler.get)
@@ -41,6 +43,17 @@ def listen_on(sockets: list[socket] | None) -> None:
 
 def _nothing_here(self, path):
     raise HTTPError(404)
+
+
+class _Nothing(RequestHandler):
+    """Of the scripts of Bokeh and of Panel, 100 MB, a page loads two, which have addresses of their own."""
+
+    def prepare(self) -> None:
+        raise HTTPError(404)
+
+
+def _no_static(prefix: str, key: str, application: Any) -> tuple[str, type[RequestHandler], dict[str, Any]]:
+    return rf"{prefix}{key.rstrip('/')}/static/.*", _Nothing, {}
 
 
 def _without_null(get):

@@ -42,9 +42,9 @@ def chain(
     k = n + 1
     b, f = carray(beside, (9, k + 1)), carray(nodes, (9, k))
     c, yes = carray(counts, (6, k)), carray(flags, (6, k))
-    struck = Chain(b[0][:n], b[1][:n], b[2][:n], c[0], b[3][:k], b[4][:k], b[5][:k], f[7], int(contact))
+    struck = Chain(b[0][:n], b[1][:n], b[2][:n], c[0], b[3][:k], b[4][:k], b[5][:k], f[7], int(contact), 0.0, 0.0)
     chain_drawn.place(carray(links, (3, n)), carray(knots, (2, k)), mass, end, int(contact), struck, b[6])
-    r, pulse = carray(rows, (8 + STAGES, NODES)), carray(nothing, (1, 2 + NODES))
+    r, pulse = carray(rows, (8 + 3 * STAGES, NODES)), carray(nothing, (1, 2 + NODES))
     laws = carray(constants, (k, CONSTANTS + 1))
     record = Record(
         carray(start, (k, STRETCHES + 1)),
@@ -63,7 +63,7 @@ def chain(
         yes[0][node] = yes[1][node] = False
         record.start[node, 0], record.count[node] = 0.0, 0
     rewind(struck, state)
-    work = LawWork(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8:])
+    work = LawWork(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8:], r[8 + STAGES :], r[8 + 2 * STAGES :])
     drawn = Drawn(
         carray(jumps, (JUMPS,)), carray(wave_time, (SENT,)), carray(wave, (SENT,)), carray(force_time, (FORCES,)),
         carray(force, (FORCES,)), carray(impactor, (INSTANTS,)), carray(face, (INSTANTS,)), carray(whole, (INSTANTS,)),
@@ -88,7 +88,7 @@ CHAIN_ENTRIES = {
             "counts": 6 * MOST_NODES,
             "flags": 6 * MOST_NODES,
             "constants": MOST_NODES * (CONSTANTS + 1),
-            "rows": (8 + STAGES) * NODES,
+            "rows": (8 + 3 * STAGES) * NODES,
             "nothing": 2 + NODES,
             "pressing": 2 * CONTACTS,
             "jumps": JUMPS,

@@ -50,7 +50,8 @@ def _on_rod(scene: Scene) -> bool:
 def _on_chain(scene: Scene) -> bool:
     """A mass or a rod on rods one behind the other, all faces rigid, by waves: but a mass on one plain rod."""
     impactor, target, method = scene.impactor, scene.target, scene.method
-    if not isinstance(target, Waveguide) or not (isinstance(impactor, Rod) or _mass_strikes(scene)):
+    striking = isinstance(impactor, Rod) and not impactor.end_mass
+    if not isinstance(target, Waveguide) or not (striking or _mass_strikes(scene)):
         return False
     laws = (scene.contact, *scene.joint_laws)
     if not all(law is None or isinstance(law, Rigid) for law in laws) or _on_plain_rod(scene):

@@ -88,9 +88,9 @@ def law(
     """
     b, f = carray(beside, (8, 3)), carray(nodes, (8, 2))
     n, yes = carray(counts, (6, 2)), carray(flags, (6, 2))
-    chain = Chain(b[0][:1], b[1][:1], b[2][:1], n[0], b[3][:2], b[4][:2], b[5][:2], f[7], 0)
+    chain = Chain(b[0][:1], b[1][:1], b[2][:1], n[0], b[3][:2], b[4][:2], b[5][:2], f[7], 0, 0.0, 0.0)
     law_drawn.place(beta, reflection, chain, b[6])
-    r, pulse = carray(rows, (8 + STAGES, NODES)), carray(nothing, (1, 2 + NODES))
+    r, pulse = carray(rows, (8 + 3 * STAGES, NODES)), carray(nothing, (1, 2 + NODES))
     laws = carray(constants, (2, CONSTANTS + 1))
     of_law = laws, yes[0], yes[1], pulse, b[6]
     record = Record(
@@ -108,7 +108,7 @@ def law(
         yes[0][node], yes[1][node] = REMEMBERS[number], LOSES[number]
         record.start[node, 0], record.count[node] = 0.0, 0
     rewind(chain, state)
-    work = LawWork(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8:])
+    work = LawWork(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8:], r[8 + STAGES :], r[8 + 2 * STAGES :])
     cycle = (
         carray(depths, (CYCLE,)),
         carray(presses, (CYCLE,)),
@@ -178,7 +178,7 @@ WAVE_ENTRIES = {
             "nodes": 8 * 2,
             "counts": 6 * 2,
             "flags": 6 * 2,
-            "rows": (8 + STAGES) * NODES,
+            "rows": (8 + 3 * STAGES) * NODES,
             "nothing": 2 + NODES,
             "pressing": 2 * CONTACTS,
             **DRAWN,

@@ -10,6 +10,7 @@ import numpy as np
 from .. import validation
 from ..methods import METHODS, usual_method
 from ..methods.base import Method
+from ..methods.fronts import RIPPLES
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
 from ..solution.motion import ResolvesForce
@@ -36,7 +37,7 @@ class Row:
 
     A true contact is found if the method has a contact of its own that overlaps it. The error of a force is
     |found - exact| / |exact| in the L2 norm over time; that of a resolved force is of its average over the finest that
-    the method can resolve.
+    the method can resolve. Neither is known where the reference itself ripples behind a front.
     """
 
     method: dict[str, Any]  # name and options, as in a scene file
@@ -131,6 +132,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int, duration: 
     counted = found.diagnostics.get("balances", len(found.contacts))
     until = max(contact.end for contact in [*exact.contacts, *found.contacts])
     instant = any(contact.peak_force is None for contact in [*exact.contacts, *found.contacts])
+    unknown = instant or any(note.code == RIPPLES for note in exact.notes)
     return Row(
         method=found.method,
         rebound_error=(rebound(found) - rebound(exact)) / scene.speed,
@@ -140,8 +142,10 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int, duration: 
         true_contacts_found=sum(seen),
         second_contact_found=seen[1] if len(seen) > 1 else None,
         raw_contacts=found.diagnostics.get("raw_contacts", counted),
-        force_error=None if instant else force_error(exact, until, _until_the_end(found, found.known_motion.force)),
-        resolved_force_error=None if resolved is None else force_error(exact, until, _until_the_end(found, resolved)),
+        force_error=None if unknown else force_error(exact, until, _until_the_end(found, found.known_motion.force)),
+        resolved_force_error=(
+            None if unknown or resolved is None else force_error(exact, until, _until_the_end(found, resolved))
+        ),
         wall_time=_wall_time(lambda: method.solve(scene, duration), repeats),
     )
 

@@ -6,6 +6,8 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+from ..methods import METHODS
+from ..methods.fronts import ripple
 from ..solution.solution import Solution
 from .cost_model import expected_time
 from .quantities import Reference
@@ -45,6 +47,12 @@ class Trial:
         """Expected of a warm solve [s], whatever else runs on the machine."""
         return expected_time(self.solution.method, self.solution.diagnostics["steps"], self.solution.scene)
 
+    @cached_property
+    def ripple(self) -> float:
+        """Share of the force of a front that its method is known to be off by, see `solvers.methods.fronts`."""
+        ripples = METHODS[self.solution.method["name"]].RIPPLES
+        return abs((ripple(self.solution) if ripples else None) or 0.0)
+
     def row(self) -> dict[str, Any]:
         return {
             "method": self.solution.method,
@@ -56,9 +64,11 @@ class Trial:
 
 
 def difference(one: Trial, other: Trial, quantity: str) -> float | None:
-    """Of one from the other, which is nearer to the exact solution."""
+    """Of one from the other, which is nearer to the exact solution; two may agree on a peak that is their ripple."""
     error = other.reference.errors(one.reference.metrics)[quantity]
-    return None if error is None else abs(error)
+    if error is None:
+        return None
+    return max(abs(error), one.ripple) if quantity == "peak-force" else abs(error)
 
 
 def remainder(own: Sequence[Trial], quantity: str) -> float | None:
@@ -68,4 +78,5 @@ def remainder(own: Sequence[Trial], quantity: str) -> float | None:
         return None
     ratio = last[1] / last[0] if len(last) == 2 and last[0] > 0.0 else 0.5
     ratio = min(max(ratio, 0.1), 0.9)
-    return last[-1] * ratio / (1.0 - ratio)
+    left = last[-1] * ratio / (1.0 - ratio)
+    return max(left, own[-1].ripple) if quantity == "peak-force" else left

@@ -26,6 +26,7 @@ IMPACTORS: dict[str, type[AnyBody]] = {
     "mass": RigidMass,
     "sphere": RigidMass,
     "rod": Rod,
+    "rods": Rods,
     "beam": Beam,
     "pendulum": Pendulum,
     "body": Body,

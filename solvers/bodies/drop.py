@@ -15,7 +15,7 @@ STANDARD_GRAVITY = 9.80665  # [m/s2]
 HEIGHT_RANGE = (1e-12, 1e6)  # [m]
 GRAVITY_RANGE = (1e-6, 1e6)  # [m/s2]
 KEYS = ("height", "gravity")
-DROPPED = ("mass", "sphere", "rod", "beam")  # kinds that fall on an axis
+DROPPED = ("mass", "sphere", "rod", "rods", "beam")  # kinds that fall on an axis
 
 
 def fallen(given: Mapping[str, Any], kind: str) -> Mapping[str, Any]:

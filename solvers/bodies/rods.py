@@ -105,18 +105,13 @@ class Rod(Waveguide):
         given = validation.table(key, given, cls.KEYS)
         validation.number(f"{key}.at", given.get("at", 1.0), 1.0, 1.0, "(a rod is struck on its end)")
         length, area, material = _read_bar(key, given)
-        if key == "impactor":
-            validation.choice("impactor.support", given.get("support", "free"), ("free",))
-            velocity, support = read_impact_velocity(given), "free"
-        else:
-            velocity = read_target_velocity(given)
-            support = validation.choice("target.support", given.get("support", "fixed"), SUPPORTS)
+        velocity, support = _read_motion(key, given)
         return cls(
             length,
             area,
             material,
             support,
-            velocity if support == "free" else _still(key, velocity),
+            velocity,
             _read_end_mass(key, given, support),
             read_radius(f"{key}.radius", given.get("radius")),
             section_of_bar(key, given).least_moment,
@@ -205,7 +200,9 @@ class Joint:
 
 @dataclass(frozen=True)
 class Rods(Waveguide):
-    """Rods one behind the other, at rest or moving as one; the first is struck, the support is that of the last.
+    """Rods one behind the other, at rest or moving as one; the first meets the other body, the last has the support.
+
+    A chain that strikes is free.
 
     Source: thesis 4.2 (waves at a change of section or material), 4.7.
     """
@@ -222,15 +219,12 @@ class Rods(Waveguide):
 
     @classmethod
     def read(cls, key: str, given: Mapping[str, Any]) -> "Rods":
-        """From the table `[target]`; `rods` is a list of tables. Raises SceneError naming the key."""
+        """From the table `[impactor]` or `[target]`; `rods` is a list of tables. Raises SceneError naming the key."""
         given = validation.table(key, given, cls.KEYS)
         parts = validation.required(key, given, "rods", allowed("list", low=1, high=MAX_RODS, of="rods"))
         if not isinstance(parts, list) or not 1 <= len(parts) <= MAX_RODS:
             raise SceneError(f"{key}.rods", parts, allowed("list", low=1, high=MAX_RODS, of="rods"))
-        support = validation.choice(f"{key}.support", given.get("support", "fixed"), SUPPORTS)
-        velocity = read_target_velocity(given)
-        if support != "free":
-            _still(key, velocity)
+        velocity, support = _read_motion(key, given)
         end_mass = _read_end_mass(key, given, support)
         rods, joints = [], []
         for number, part in enumerate(parts, 1):
@@ -339,6 +333,16 @@ def _read_joint(key: str, given: Mapping[str, Any]) -> Joint:
     if contact is not None and not isinstance(contact, Mapping):
         raise SceneError(f"{key}.contact", contact, allowed("law-table"))
     return Joint(False, validation.number(f"{key}.gap", given.get("gap", 0.0), 0.0, 1e3, "m"), contact)
+
+
+def _read_motion(key: str, given: Mapping[str, Any]) -> tuple[float, str]:
+    """Velocity before the impact, and the support of the far end, which decides whether it can have one."""
+    if key == "impactor":
+        support = validation.choice("impactor.support", given.get("support", "free"), ("free",))
+        return read_impact_velocity(given), support
+    velocity = read_target_velocity(given)
+    support = validation.choice("target.support", given.get("support", "fixed"), SUPPORTS)
+    return velocity if support == "free" else _still(key, velocity), support
 
 
 def _read_end_mass(key: str, given: Mapping[str, Any], support: str) -> float:

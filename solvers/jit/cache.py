@@ -25,6 +25,7 @@ from . import compiling, machine_code, shortcuts
 
 log = logging.getLogger("strikewave")
 LIBRARY = Path(__file__).resolve().parents[1]
+ROOM = 2**20  # bytes: the largest kernel has as many
 IMPORTED = re.compile(r"^from (\.+)([\w.]*) import (\([^)]*\)|.*)", re.MULTILINE)
 
 
@@ -91,20 +92,34 @@ def _usable(folder: Path) -> Path:
     """The folder if files can be kept in it; else a temporary one with what is in it; else it as it is, to read."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder) as trial:
-            trial.write(bytes(2**16))  # a full disk says so only now
+        _try(folder)
         return folder
     except OSError as error:
         reason = error.strerror
     try:
         own = Path(tempfile.mkdtemp(prefix="strikewave-"))
+        atexit.register(shutil.rmtree, own, ignore_errors=True)
         if folder.is_dir():
             _copy(folder, own)
-        atexit.register(shutil.rmtree, own, ignore_errors=True)
     except OSError:
         own = folder  # it may be read all the same
     log.warning("kernels cannot be kept in %s (%s); this process keeps them in %s", folder, reason, own)
     return own
+
+
+def _try(folder: Path) -> None:
+    """Raises OSError if no files can be kept there."""
+    with tempfile.TemporaryFile(dir=folder) as trial:
+        trial.write(bytes(ROOM))  # a full disk says so only now
+
+
+def can_keep() -> bool:
+    """Whether what is compiled now can be kept for other processes. Takes a millisecond, and writes."""
+    try:
+        _try(FOLDER)
+    except OSError:
+        return False
+    return True
 
 
 def _copy(folder: Path, own: Path) -> None:

@@ -16,6 +16,7 @@ from ..solution.bounds import bounded
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
+from .fronts import notes_on_ripple
 from .mechanisms import in_laboratory
 from .options import options_of
 from .start import note_on_start
@@ -55,6 +56,7 @@ class Method(ABC):
     ROWS: ClassVar[bool] = False  # whether it knows a row of balls, beside one body
     DAMPED: ClassVar[bool] = False  # whether it knows damping of their own
     WEIGHT: ClassVar[bool] = False  # whether the weight of the impactor acts while it touches
+    RIPPLES: ClassVar[bool] = False  # whether it sums up modes or elements, which ripple behind a front
     WAVES: ClassVar[bool] = True  # whether waves run in the bodies that it solves
     TRUSTED_ERROR: ClassVar[float] = MAX_TRUSTED_ESTIMATE  # up to which its estimate is not reported
     # options that make it finer, the first that a scene allows; none: one answer
@@ -123,7 +125,7 @@ class Method(ABC):
             shortest = 1e-6 * impact.time_unit
             duration = validation.number("method.duration", duration, shortest, longest, "s")
         before = compiled()
-        with compiling((impact.contact, *impact.joint_laws)):
+        with compiling((impact.contact, *impact.striker_laws, *impact.joint_laws)):
             solution = self._solve(impact, duration)
         if impact is not scene:
             solution = in_laboratory(solution, scene)
@@ -156,6 +158,7 @@ class Method(ABC):
         notes = general_notes(
             solution, own, whole, self._miscounts(), self._resolution(solution.scene), self.TRUSTED_ERROR
         )
+        notes += notes_on_ripple(solution) if self.RIPPLES else []
         notes += notes_on_theory(solution, self.WAVES)
         notes += self._notes_on_links(solution.scene) + falls_along(solution.scene)
         return [note for note in notes if note not in own]

@@ -12,6 +12,7 @@ from ..scene import Scene
 from ..solution.motion import Bends, SendsWaves
 from ..solution.solution import ContactPeriod, Solution
 from ..text.notes import Note, Severity
+from .fronts import front_force
 
 OF_THEORY = (
     "stress-beyond-yield",
@@ -72,14 +73,14 @@ def notes_on_theory(solution: Solution, waves: bool) -> list[Note]:
 
 def _loaded(scene: Scene) -> list[Loaded]:
     first = len(scene.impactor.rods)
-    bodies = [*scene.impactor.rods, *scene.target.rods]
     names = ["impactor"] * first + ["target"] * len(scene.target.rods)
-    return [Loaded(names[n], n, n in (first - 1, first), rod) for n, rod in enumerate(bodies)]
+    return [Loaded(names[n], n, n in (first - 1, first), rod) for n, rod in enumerate(scene.rods)]
 
 
 def _said(rods: list[Loaded], each: Loaded) -> dict[str, Any]:
     """Which rod it is: its number in its chain, 0 where it is alone."""
     chain = [other.number for other in rods if other.body == each.body]
+    chain = chain[::-1] if each.body == "impactor" else chain  # the first is the one that meets the other body
     return {"body": each.body, "rod": 1 + chain.index(each.number) if len(chain) > 1 else 0, "kind": "rod"}
 
 
@@ -147,12 +148,12 @@ def peak_stress(solution: Solution, each: Loaded) -> float:
     """
     scene, rod = solution.scene, each.rod
     if isinstance(solution.motion, SendsWaves):
-        unit = scene.target.rods[0].impedance * scene.speed / rod.area
+        unit = scene.impedance * scene.speed / rod.area
         lag, reach = 0.5 * rod.round_trip_time / scene.time_unit, solution.duration / scene.time_unit
         return unit * _largest_sum(solution.motion, each.number, lag, reach)
     if not each.struck:
         return 0.0
-    force = _front_force(scene) if scene.rigid_contact else solution.peak_force
+    force = front_force(scene) if scene.rigid_contact else solution.peak_force
     return (force or 0.0) / rod.area
 
 
@@ -166,12 +167,6 @@ def _largest_sum(motion: SendsWaves, number: int, lag: float, reach: float) -> f
         motion.sent(number, True, sent, after) + motion.sent(number, False, met, after) for after in (True, False)
     ]
     return float(np.abs(stress).max(initial=0.0))
-
-
-def _front_force(scene: Scene) -> float:
-    """Of the first front in a rigid contact [N]: v Z1 Z2 / (Z1 + Z2), a rigid mass having no end of it."""
-    mobility = sum(1.0 / body.rods[0].impedance for body in (scene.impactor, scene.target) if body.rods)
-    return scene.speed / mobility
 
 
 def _buckling(solution: Solution, rods: list[Loaded]) -> list[Note]:

@@ -16,7 +16,18 @@ from ..jit.clock import check_time
 from ..jit.kernels import allocating_kernel, inner_kernel, kernel
 from . import secular
 from .arrays import add_to, copy_to, dot, multiply, multiply_by
-from .free_motion import Turn, rise_in, rises, set_exact_turn, step_back, step_on, sum_after, turn_by, turn_of
+from .free_motion import (
+    Turn,
+    most_bend,
+    rise_in,
+    rises_within,
+    set_exact_turn,
+    step_back,
+    step_on,
+    sum_after,
+    turn_by,
+    turn_of,
+)  # fmt: skip
 from .secular import hold_together
 
 SAMPLES_PER_PERIOD = 16  # of the highest mode, at which the faces are looked at; with fewer, balances are missed
@@ -213,12 +224,10 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
 @inner_kernel
 def _fly(bank, turn, step, q, p, q1, p1, begun, longest):
     """Free flight from (q, p) at `begun` [s] until the faces meet: q1, p1 there. Returns its duration, or -1 if over
-    `longest`.
-
-    In every step the cubic through overlap and rate at both ends shows whether they met and parted again within it.
-    """
+    `longest`."""
     copy_to(q1, q)
     copy_to(p1, p)
+    most = most_bend(bank, q, p)
     overlap, rate = 0.0, dot(bank.closing, p) + led_at(bank, begun)[1]
     steps, elapsed = 0, 0.0
     while elapsed < longest:
@@ -229,11 +238,13 @@ def _fly(bank, turn, step, q, p, q1, p1, begun, longest):
         lead, speed, _ = led_at(bank, now + step)
         overlap += lead
         rate += speed
-        high = rises(before, rate_before, overlap, rate, step)
+        ahead = led_at(bank, now)
+        bent = most + abs(ahead[2]) + abs(bank.surge) * step
+        high = rises_within(bank, q1, p1, before, rate_before, overlap, rate, step, bent, *ahead)
         if high > 0.0 and (steps > 0 or rate_before < 0.0 or overlap > 0.0):
             low = 0.0 if steps > 0 else 1e-9 * step  # past the touch that the flight began with
             step_back(turn, q1, p1)
-            into = rise_in(bank, q1, p1, low, high, *led_at(bank, now))
+            into = rise_in(bank, q1, p1, low, high, *ahead)
             turn_by(bank, into, q1, p1)
             return elapsed + into
         steps += 1
@@ -326,7 +337,7 @@ def _stick(bank, joined, step, q, p, begun, longest, work):
     set_exact_turn(turn, joined.frequencies, step)
     steps, elapsed, parted = 0, 0.0, False
     pull, rate = sum_after(after, 0.0, own, own_rate)
-    pull -= weight
+    pull, most = pull - weight, most_bend(after, own, own_rate)
     while elapsed < longest:
         if steps % 64 == 0:
             check_time()
@@ -334,7 +345,7 @@ def _stick(bank, joined, step, q, p, begun, longest, work):
         before, rate_before = pull, rate
         pull, rate = step_on(turn, after.closing, own, own_rate)
         pull -= weight
-        high = rises(before, rate_before, pull, rate, step)
+        high = rises_within(after, own, own_rate, before, rate_before, pull, rate, step, most, -weight, 0.0, 0.0)
         if high > 0.0:
             step_back(turn, own, own_rate)
             into = rise_in(after, own, own_rate, 0.0, high, -weight, 0.0, 0.0)

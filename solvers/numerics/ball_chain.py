@@ -6,8 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 TOLERANCE = 1e-13  # of a step, relative to the speed of the impact and to what it moves in a contact time
-STRETCH = 4.0  # contact times integrated before it is seen whether all have parted
-MAX_STRETCHES = 5_000
+MAX_STEPS = 5_000  # 2 s, of a row that is followed until its last parting; a contact takes some 50
 PARTED = 1e-9  # of the speed of the impact: neighbours that close up more slowly than that are taken as parted
 SAMPLES = 8  # instants kept of a step
 
@@ -32,21 +31,44 @@ def follow(
     gaps: np.ndarray,
     laws: Sequence[Any],
     unit: float,
+    limit: float,
     until: float | None = None,
 ) -> Course:
-    """From the first touch up to `until` [s], or until no two masses will touch again.
+    """From the first touch up to `until` [s], or until no two masses will touch again, at most to `limit` [s].
 
     mass, velocity (mass,); gaps (mass - 1,) that are free at first [m]; laws between neighbours, each of its
     indentation alone; unit: a contact time [s]. The state holds the impulses, too, as the velocities follow from them.
-    Error: about 1e-10 of the speed; DOP853, whose steps are short where a contact begins or ends.
+    While nothing touches, the masses fly on to the next touch at once. Error: about 1e-10 of the speed; DOP853, whose
+    steps are short where a contact begins or ends.
     """
+    row = _Row(velocity, gaps, 1.0 / mass[:-1], 1.0 / mass[1:], laws)
+    speed, contacts, masses = float(velocity.max() - velocity.min()), gaps.size, mass.size
+    scale = np.concatenate((np.full(masses, speed * unit), np.full(contacts, speed * float(mass.min()))))
+    periods = _Periods(contacts, lambda state: row.indentation(state[..., :masses] * scale[:masses]))
+    time, state, steps = _march(row, scale, speed, unit, limit, until, periods)
+    parted = row.parted(state[-1] * scale, speed)
+    state = state * scale
+    position, impulse = state[:, :masses], state[:, masses:]
+    indentation = row.indentation(position)
+    force = np.array([row.forces(depths) for depths in indentation.tolist()])
+    before = np.zeros((time.size, 1))
+    speeds = velocity + (np.hstack((before, impulse)) - np.hstack((impulse, before))) / mass
+    return Course(time, position, speeds, indentation, force, impulse, steps, parted, periods.closed(float(time[-1])))
+
+
+def _march(
+    row: "_Row",
+    scale: np.ndarray,
+    speed: float,
+    unit: float,
+    limit: float,
+    until: float | None,
+    periods: "_Periods",
+) -> tuple[np.ndarray, np.ndarray, int]:
+    """Instants, states as shares of `scale`, (time, masses + contacts), and how many steps it took; see `follow`."""
     from scipy.integrate import DOP853
 
-    row = _Row(velocity, gaps, 1.0 / mass[:-1], 1.0 / mass[1:], laws)
-    speed = float(velocity.max() - velocity.min())
-    contacts, masses = gaps.size, mass.size
-    scale = np.concatenate((np.full(mass.size, speed * unit), np.full(contacts, speed * float(mass.min()))))
-    start = np.zeros(mass.size + contacts)
+    masses, end = row.velocity.size, limit if until is None else until
 
     def rates(_: float, state: np.ndarray) -> np.ndarray:
         scaled, found = state * scale, np.empty_like(state)
@@ -55,29 +77,33 @@ def follow(
         found /= scale
         return found
 
-    end = until if until is not None else STRETCH * unit * MAX_STRETCHES
-    solver = DOP853(rates, 0.0, start, end, rtol=TOLERANCE, atol=TOLERANCE, first_step=1e-6 * unit, max_step=unit)
-    times, states = [np.zeros(1)], [start[None]]
-    periods = _Periods(contacts, lambda state: row.indentation(state[..., :masses] * scale[:masses]))
-    parted = False
-    while solver.status == "running" and not parted:
+    def solver_from(begun: float, state: np.ndarray) -> Any:
+        first = min(1e-6 * unit, 0.5 * (end - begun))
+        return DOP853(rates, begun, state, end, rtol=TOLERANCE, atol=TOLERANCE, first_step=first, max_step=unit)
+
+    start, steps = np.zeros(scale.size), 0
+    solver, times, states = solver_from(0.0, start), [np.zeros(1)], [start[None]]
+    while solver.status == "running" and (until is not None or steps < MAX_STEPS):
         begun = float(solver.t)
         solver.step()
-        dense = solver.dense_output()
+        steps, dense = steps + 1, solver.dense_output()
         instants = np.linspace(begun, float(solver.t), SAMPLES + 1)[1:]
         times.append(instants)
         states.append(dense(instants).T)
         periods.add(begun, instants, states[-2][-1], states[-1], dense)
-        parted = until is None and row.parted(states[-1][-1] * scale, speed)
-    parted = parted or row.parted(states[-1][-1] * scale, speed)
-    time, state = np.concatenate(times), np.concatenate(states) * scale
-    position, impulse = state[:, :masses], state[:, masses:]
-    indentation = row.indentation(position)
-    force = np.array([row.forces(depths) for depths in indentation.tolist()])
-    before = np.zeros((time.size, 1))
-    speeds = velocity + (np.hstack((before, impulse)) - np.hstack((impulse, before))) / mass
-    steps = (time.size - 1) // SAMPLES
-    return Course(time, position, speeds, indentation, force, impulse, steps, parted, periods.closed(float(time[-1])))
+        last, begun = states[-1][-1], float(solver.t)
+        if until is None and row.parted(last * scale, speed):
+            break
+        later = min(begun + row.flight(last * scale), end)
+        if later - begun > unit:
+            landed = last.copy()
+            landed[:masses] += (later - begun) * row.speeds(last[masses:] * scale[masses:]) / scale[:masses]
+            times.append(np.array([later]))
+            states.append(landed[None])
+            if later == end:
+                break
+            solver = solver_from(later, landed)
+    return np.concatenate(times), np.concatenate(states), steps
 
 
 class _Row(NamedTuple):
@@ -100,6 +126,15 @@ class _Row(NamedTuple):
 
     def forces(self, depths: list[float]) -> list[float]:
         return [law.force(a, 0.0, 0.0) if a > 0.0 else 0.0 for law, a in zip(self.laws, depths, strict=True)]
+
+    def flight(self, state: np.ndarray) -> float:
+        """How long nothing touches from a state on [s]: 0 if something does; infinite if nothing will."""
+        masses = self.velocity.size
+        gaps, closing = -self.indentation(state[:masses]), -np.diff(self.speeds(state[masses:]))
+        if np.any(gaps < 0.0):
+            return 0.0
+        near = closing > 0.0
+        return float(np.min(gaps[near] / closing[near], initial=np.inf)) * (1.0 - 1e-12)
 
     def parted(self, state: np.ndarray, speed: float) -> bool:
         """Whether nothing touches and no neighbours come closer."""

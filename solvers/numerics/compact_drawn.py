@@ -173,7 +173,8 @@ def answer(
     set_bank(frequencies, at_contact, frequencies, damping, step, kept.bank)
     modal_drawn.at_rest(kept.record, kept.displacement, kept.velocity)
     bodies, most = (masses[0], masses[1], masses[1], 1.0), int(np.ceil(limits[0] * trip / step))
-    steps, parted = modal_drawn.followed(law, residual, bodies, modes, step, stride, kept, most, limits[1] * trip)
+    seen, of_it = limits[1] * trip, (asked, of_law[0])
+    steps, parted = modal_drawn.followed(law, of_it, residual, bodies, modes, step, stride, kept, most, seen, no)
     if steps < 1:
         return NO_ROOM
     record, (constants, lossy) = refer(modal_drawn.cut(kept.record, steps)), of_law

@@ -122,6 +122,75 @@ def sum_after(bank, time, q, p):
     return total, rate
 
 
+@summing_kernel
+def bend_after(bank, time, q, p):
+    """The second derivative of the sum after free motion for `time`."""
+    total = 0.0
+    for i in range(q.size):
+        omega = bank.frequencies[i]
+        total -= bank.closing[i] * omega * (omega * np.cos(omega * time) * q[i] + np.sin(omega * time) * p[i])
+    return total
+
+
+@summing_kernel
+def most_bend(bank, q, p):
+    """More than the second derivative of the sum comes to in any free motion."""
+    total = 0.0
+    for i in range(q.size):
+        omega = bank.frequencies[i]
+        total += abs(bank.closing[i]) * omega * np.sqrt((omega * q[i]) ** 2 + p[i] ** 2)
+    return total
+
+
+@inner_kernel
+def _vanishes(bank, q, p, bends, low, at_low, high, at_high, step, speed, fall):
+    """Where between `low` and `high`, with these values of unlike sign, the rate of the sum is zero, or its second
+    derivative: false position, the end that stays halved (Illinois). q, p: at the end of the step."""
+    place = low
+    for _ in range(60):
+        before, place = place, high - at_high * (high - low) / (at_high - at_low)
+        value = bend_after(bank, place - step, q, p) + fall
+        if not bends:
+            value = sum_after(bank, place - step, q, p)[1] + speed + fall * place
+        if value * at_high > 0.0:
+            high, at_high, at_low = place, value, 0.5 * at_low
+        else:
+            low, at_low, at_high = place, value, 0.5 * at_high
+        if value == 0.0 or abs(place - before) <= 1e-13 * step:
+            break
+    return place
+
+
+@inner_kernel
+def rises_within(bank, q, p, a, a_rate, b, b_rate, step, most, lead, speed, fall):
+    """A place in (0, step] where the sum is positive: its end, or its highest place in between; 0 if it never is.
+
+    As `rises`, but exact: q, p at the end of the step, most: `most_bend`, and what lead adds to it. Within a sixteenth
+    of the shortest period the second derivative changes its sign once at most, so that nothing is missed of one
+    oscillator, and of several hardly anything. lead, speed, fall: as `rise_in`, by the time from the step's start.
+    """
+    if b >= 0.0:
+        return step
+    if max(a, b) + 0.125 * most * step * step <= 0.0 or (a_rate <= 0.0 < b_rate):
+        return 0.0
+    low, at_low, high, at_high = 0.0, a_rate, step, b_rate
+    if not a_rate > 0.0 > b_rate:  # up and down, or down and up, within the step
+        first, last = bend_after(bank, -step, q, p) + fall, bend_after(bank, 0.0, q, p) + fall
+        if first * last >= 0.0 or (first > 0.0) == (a_rate > 0.0):
+            return 0.0
+        place = _vanishes(bank, q, p, True, 0.0, first, step, last, step, speed, fall)
+        rate = sum_after(bank, place - step, q, p)[1] + speed + fall * place
+        if (rate > 0.0) == (a_rate > 0.0) or rate == 0.0:
+            return 0.0
+        if rate > 0.0:
+            low, at_low = place, rate
+        else:
+            high, at_high = place, rate
+    place = _vanishes(bank, q, p, False, low, at_low, high, at_high, step, speed, fall)
+    top = sum_after(bank, place - step, q, p)[0] + lead + place * (speed + 0.5 * fall * place)
+    return place if top > 0.0 and place > 0.0 else 0.0
+
+
 @inner_kernel
 def turn_by(bank, time, q, p):
     """Move freely for `time`, in place."""

@@ -8,11 +8,16 @@ import numpy as np
 from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
-from .waves.laws import DENT
+from .arrays import largest
+from .waves.laws import DENT, FORCE
 
 # Of what the modes left out give way under the peak force: who opens by less may still be touching. Measured on exact
 # waves, mass ratios 0.02 to 50 on fixed and free rods, 20 to 200 modes: false gaps stay below, true ones open wider.
 LEAST_OPENING = 0.4
+# Share of the rate by which a dent closes that is rounding: strong damping lets it close at the very rate at which the
+# force is zero, and the steps in which there is one are a matter of the last bits.
+ROUNDING = 1e-9
+JUST_TOUCHING = 1e-300  # depth [m] of faces that have just met: they press already if the law's force jumps
 START, END, IMPULSE, PEAK = range(4)  # columns of the contacts
 COLUMNS = 4
 
@@ -25,6 +30,7 @@ class Resolved(NamedTuple):
     opening: float  # `least_opening` [m]
     every_gap: bool  # whether no contact can chatter
     rigid: bool
+    gives: bool  # whether the modes left out give way, or all there is of a rigid contact
     parted: bool  # whether the march has gone on until none can come any more
 
 
@@ -80,12 +86,34 @@ def least_opening(compliance, step, window, force, impulses):
     return LEAST_OPENING * compliance * _highest(0, force.size, step, window, force, impulses)
 
 
+@inner_kernel
+def _closes(k, record, step, deepest, law, constants, slopes):
+    """Whether a dent closes within this step without a force, and yet as slowly as the law lets it: not parted yet."""
+    depth, later = record.indentation[k], record.indentation[k + 1]
+    rate = (1.0 - ROUNDING) * (later - depth) / step
+    return later < depth and law(FORCE, constants, depth, rate, deepest, slopes) > 0.0
+
+
 @kernel
-def touches(force, runs):
-    """Write the first step, and the one after the last, of every stretch of steps with a force; how many."""
-    count, pressed = 0, np.bool_(False)
+def closed(last, until, record, step, law, constants, slopes):
+    """The first instant from `last` on, up to which there was a force, at which no dent closes any more; or `until`."""
+    record = refer(record)
+    deepest = max(largest(record.indentation, last + 1), 0.0)
+    while last < until and _closes(last, record, step, deepest, law, constants, slopes):
+        last += 1
+    return last
+
+
+@kernel
+def touches(record, step, deepest, law, constants, slopes, runs):
+    """Write the first step, and the one after the last, of every stretch of steps with a force, and as long as the dent
+    closes behind it; how many."""
+    record = refer(record)
+    force, count, pressed = record.contact_force, 0, np.bool_(False)
     for k in range(force.size + 1):
         presses = k < force.size and force[k] > 0.0
+        if pressed and not presses and k < force.size:
+            presses = _closes(k, record, step, deepest[k], law, constants, slopes)
         if presses != pressed:
             runs[count, 0 if presses else 1] = k
             count += 0 if presses else 1
@@ -138,6 +166,20 @@ def _start(first, record, known, dent):
         return first * known.step
     before, x, y = depth[first - 1] - dent, depth[first] - dent, depth[first + 1] - dent
     return known.step * (first + _upward_zero(before, x, y))
+
+
+@inner_kernel
+def _first_force(first, start, record, known, law, constants, slopes):
+    """The force as faces meet [N], which the first step's mean falls short of where the law's force jumps."""
+    if known.gives:  # at once: there is no jump
+        return 0.0
+    depth, rate = record.indentation, record.velocity[0] - record.rigid_velocity[0]
+    if first > 0:
+        rate = depth[first] - depth[first - 1]
+        if first > 1:
+            rate += (rate - (depth[first - 1] - depth[first - 2])) * (0.5 + start / known.step - first)
+        rate /= known.step
+    return law(FORCE, constants, JUST_TOUCHING, rate, 0.0, slopes)
 
 
 @inner_kernel
@@ -200,6 +242,7 @@ def contacts(record, deepest, impulses, runs, known, law, constants, slopes, tab
         if known.rigid:
             row[PEAK] = _highest(begun, after, step, known.window, force, impulses)
         else:
+            row[PEAK] = max(row[PEAK], _first_force(begun, row[START], record, known, law, constants, slopes))
             for pressed in range(begun + 1, after):
                 row[PEAK] = max(row[PEAK], force[pressed])
         row[END] = _end(after, record, known, dent)

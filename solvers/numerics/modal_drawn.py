@@ -118,9 +118,9 @@ def figures(asked, of_law, residual, bodies, modes, step, stride, record, room, 
     out[WINDOW], slopes = 2.0 * np.pi / frequencies[frequencies.size - 1], room.slopes
     compliance = 1.0 / constants[0] if rigid else residual.compliance
     opening = 0.0 if every_gap else modal_contacts.least_opening(compliance, step, out[WINDOW], force, impulses)
-    known = modal_contacts.Resolved(step, out[WINDOW], opening, every_gap, rigid, parted)
+    known = modal_contacts.Resolved(step, out[WINDOW], opening, every_gap, rigid, compliance > 0.0, parted)
     check_time()  # between passes over all steps, each of which takes a small part of what the march has taken
-    touches = modal_contacts.touches(force, room.runs)
+    touches = modal_contacts.touches(record, step, deepest, asked, constants, slopes, room.runs)
     runs = room.runs[:touches]
     count = modal_contacts.contacts(record, deepest, impulses, runs, known, asked, constants, slopes, contacts)
     if count < 1:
@@ -190,9 +190,10 @@ def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, cont
 
 
 @inner_kernel
-def followed(law, residual, bodies, modes, step, stride, room, most, afterglow):
+def followed(law, of_law, residual, bodies, modes, step, stride, room, most, afterglow, rings):
     """March whole periods of the target until both have parted for good, see `parting`; how many steps are to be seen,
-    -1: no room, or they may touch again. As `Modal` does."""
+    -1: no room, or they may touch again. As `Modal` does; of_law: `asked` and its constants; rings: whether any does.
+    """
     record, chunk, done, touched = room.record, int(np.ceil(2.0 * np.pi / modes[0][0] / step)), 0, 0
     while done < most:
         until = min(done + chunk, most)
@@ -202,13 +203,15 @@ def followed(law, residual, bodies, modes, step, stride, room, most, afterglow):
         last = until
         while last > 0 and record.contact_force[last - 1] == 0.0:
             last -= 1
-        if last > done:
+        apart = last <= done
+        last = modal_contacts.closed(last, until, record, step, of_law[0], of_law[1], room.slopes)
+        if not apart:
             touched = until
-        elif record.rigid_velocity[until] > record.velocity[until]:
+        elif last < until and record.rigid_velocity[until] > record.velocity[until]:
             swings = residual.compliance * abs(record.spring_force[until])
             for i in range(room.displacement.size):
                 swings += np.hypot(room.displacement[i], room.velocity[i])
-            if record.rigid_position[until] - record.position[until] > swings:
+            if not rings or record.rigid_position[until] - record.position[until] > swings:
                 return min(until, last + int(np.ceil(afterglow / step))), np.bool_(True)
             if (until - touched) * step >= WATCHED_PERIODS * 2.0 * np.pi / modes[0][0]:
                 return -1, np.bool_(False)
@@ -297,7 +300,8 @@ def answer_of_beam(
     if asked_time > 0.0:
         _march(law, residual, bodies, step, stride, kept, 0, most)
     else:
-        most, parted = followed(law, residual, bodies, modes, step, stride, kept, most, limits[1] * longest)
+        drawn_for, of_it = limits[1] * longest, (asked, constants)
+        most, parted = followed(law, of_it, residual, bodies, modes, step, stride, kept, most, drawn_for, yes)
         if most < 1:
             return NO_ROOM
     record = refer(cut(kept.record, most))

@@ -96,6 +96,19 @@ def _checked(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
             return {part: np.where(known, value, np.nan) for part, value in found.items()}
         return np.where(known, found, np.nan)
 
+    @wraps(function)
+    def cut(motion: Any) -> tuple[np.ndarray, np.ndarray]:
+        """The history up to the end of the time solved, beyond which its last step may go on."""
+        time, force = function(motion._unbounded)
+        last = motion._bounds[0]
+        if time[-1] <= last:
+            return time, force
+        kept = time < last
+        end = np.interp(last, time, force)
+        return np.append(time[kept], last), np.append(force[kept], end)
+
+    if name == "force_history":
+        return cut
     return within if name in HISTORIES + FIELDS else passed_on
 
 

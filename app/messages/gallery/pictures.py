@@ -55,7 +55,7 @@ def _rods(solution: Solution) -> list[Part]:
     """Rods on an axis, coloured by their stress; of what comes before the impact only that they fly."""
     scene, motion = solution.scene, solution.known_motion
     striking = scene.impactor.rods
-    bodies, edge = [*striking, *scene.target.rods], -sum(rod.length for rod in striking)
+    bodies, edge = scene.rods, -sum(rod.length for rod in striking)
     whole = scene.target.length - edge
     time = _times(solution.duration)
     within, flown = np.maximum(time, 0.0), np.minimum(time, 0.0)

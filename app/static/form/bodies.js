@@ -136,8 +136,8 @@ export class Bodies {
    * @param {PartRecord[]} parts  all of them
    */
   #part({ derived: follows, key, kind, strikes, values }, parts) {
-    const [first, group = first] = key.split('.');
-    const name = text(`bodies.head.${group}`, { ...placeOf(key, parts), kind: KINDS[kind] ?? kind, strikes });
+    const [body, group = body] = key.split('.');
+    const name = text(`bodies.head.${group}`, { ...placeOf(key, parts), body, kind: KINDS[kind] ?? kind, strikes });
     if (!values.length && !follows.length)
       return make('div', { className: 'body bare' }, make('b', { textContent: name }), text('bodies.nothing'));
     const open = parts.length <= MANY;

@@ -86,8 +86,8 @@ export const unitsFor = (quantity) => signsOf(SI[quantity] ?? '');
  * @param {PartRecord[]} parts
  */
 export function placeOf(key, parts) {
-  const [, kind = 'none', number = ''] = key.split('.');
-  const count = parts.filter((each) => each.key.includes(`.${kind}.`)).length;
+  const [body, kind = 'none', number = ''] = key.split('.');
+  const count = parts.filter((each) => each.key.startsWith(`${body}.${kind}.`)).length;
   return { kind, number, count, part: jointOf((parts.find((each) => each.key === key)?.name ?? number).split(' – ')) };
 }
 
@@ -101,6 +101,6 @@ export const wordsOf = ({ chosen, parts }) =>
       const { part, quantity } = partsOfKey(key);
       const shown = quantity === 'material' ? named('material', value) : written(quantity, Number(value));
       const name = text(`body.value.${quantity}`);
-      return text('bodies.changed', { name, shown, body: part === 'impactor' ? 1 : 2, ...placeOf(part, parts) });
+      return text('bodies.changed', { name, shown, body: part.startsWith('impactor') ? 1 : 2, ...placeOf(part, parts) });
     })
     .join(', ');

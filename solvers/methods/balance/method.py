@@ -80,7 +80,7 @@ class Balance(Method):
 
     NAME = "balance"
     RESOLUTIONS = ("elements",)
-    BEAMS = WEIGHT = True
+    BEAMS = WEIGHT = RIPPLES = True
 
     @classmethod
     def read(cls, given: Mapping[str, Any]) -> Self:

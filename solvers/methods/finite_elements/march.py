@@ -61,7 +61,7 @@ class FiniteElements(Method):
     contact_stiffness: float = option(1.0, real(1e-6, 1e8, "stiffnesses of an element"))  # of a rigid contact
     estimate: bool = field(default=True, repr=False)
 
-    BEAMS = WEIGHT = True
+    BEAMS = WEIGHT = RIPPLES = True
 
     def why_not(self, scene: Scene) -> Note | None:
         bodies = (scene.impactor, scene.target)

@@ -19,7 +19,7 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..estimates import with_error
 from ..options import option, whole, word
-from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience
+from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience, swinging
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
 from . import weight
 from .estimate import MIN_STEPS_PER_CONTACT, MOST_MODES, STEPS_OF_FIRST_CONTACT, error_of_modes, steps_of_a_contact
@@ -69,7 +69,7 @@ class Modal(Method):
     coarser: float = field(default=1.0, repr=False)  # times the usual step, where no steps are asked for
 
     NAME = "modal"
-    BEAMS = DAMPED = WEIGHT = True
+    BEAMS = DAMPED = WEIGHT = RIPPLES = True
     RESOLUTIONS = ("modes", "steps")
 
     def why_not(self, scene: Scene) -> Note | None:
@@ -307,7 +307,7 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
     record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
     displacement, velocity = np.zeros(size), np.zeros(size)
     done, touched, how, resting = 0, 0, End.FOLLOWED, weight.GOES_ON
-    alike, longest = moves_alike(scene), patience(scene)
+    alike, longest = moves_alike(scene) or not swinging(scene), patience(scene)
     while done < most:
         until = min(done + chunk, most)
         if until > record.contact_force.size:
@@ -325,13 +325,16 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
                 continue
             if resting == weight.FLIES:
                 how = End.PARTED
-                last = last_touch(scene, record.contact_force[:done])
+                last = last_touch(scene, law, record, step, done)
                 glow = math.ceil(AFTERGLOW * scene.time_unit / step)
                 done = min(done, last + min(glow, weight.most_after(scene, record, last, step)))
             break
         if not apart:
             touched = done
         elif count is None and record.rigid_velocity[done] > record.velocity[done]:
+            last = last_touch(scene, law, record, step, done)
+            if last == done:
+                continue
             swings = np.hypot(displacement, velocity).sum() + spring.compliance * abs(record.spring_force[done])
             if alike or record.rigid_position[done] - record.position[done] > swings:
                 how = End.PARTED
@@ -339,7 +342,6 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
                 how = End.MAY_TOUCH
             else:
                 continue
-            last = last_touch(scene, record.contact_force[:done])
             done = min(done, last + math.ceil(AFTERGLOW * scene.time_unit / step))
             break
     return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), how, resting)

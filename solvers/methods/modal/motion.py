@@ -302,10 +302,10 @@ class ModalMotion:
     @cached_property
     def _runs(self) -> np.ndarray:
         runs = np.empty((self.steps // 2 + 1, 2), np.int64)
-        return runs[: modal_contacts.touches(self.record.contact_force, runs)]
+        return runs[: modal_contacts.touches(self.record, self.step, self.deepest, *self._asked(), runs)]
 
     def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
-        """First step, and the one after the last, of every stretch of steps with a force, chatter and all."""
+        """First step, and the one after the last, of every stretch of steps in touch, chatter and all."""
         return self._runs[:, 0], self._runs[:, 1]
 
     @cached_property
@@ -318,11 +318,11 @@ class ModalMotion:
             pressed = self.record.contact_force, self._impulses
             opening = modal_contacts.least_opening(compliance, self.step, window, *pressed)
         parted = self.end is not End.FOLLOWED
-        return modal_contacts.Resolved(self.step, window, opening, every, self.scene.rigid_contact, parted)
+        rigid, gives = self.scene.rigid_contact, compliance > 0.0
+        return modal_contacts.Resolved(self.step, window, opening, every, rigid, gives, parted)
 
     def _asked(self) -> tuple[Any, np.ndarray, np.ndarray]:
-        """The contact law as kernels of contacts take it."""
-        return law_function(type(self._law)), constants_of([self._law])[0], np.empty(2)
+        return asked(self._law)
 
     def uncertain_gaps(self, periods: float) -> int:
         """How many gaps of the raw force are not counted, and yet last longer than so many shortest kept periods."""
@@ -337,9 +337,17 @@ class ModalMotion:
         return [ContactPeriod(*row) for row in table[:count].tolist()]
 
 
-def last_touch(scene: Scene, force: np.ndarray) -> int:
-    """Steps up to the end of the last with a force. Raises SceneError if the target moves away before there is any."""
-    touching = np.flatnonzero(force)
+def asked(law: Any) -> tuple[Any, np.ndarray, np.ndarray]:
+    """The contact law as kernels of contacts take it."""
+    return law_function(type(law)), constants_of([law])[0], np.empty(2)
+
+
+def last_touch(scene: Scene, law: Any, record: Record, step: float, done: int) -> int:
+    """Steps up to the end of the last touch among those that are done; `done` itself while a dent still closes.
+
+    Raises SceneError if the target moves away before there is any.
+    """
+    touching = np.flatnonzero(record.contact_force[:done])
     if not touching.size:
         raise SceneError("impactor.velocity", scene.impactor.velocity, allowed("touch-before-away"))
-    return int(touching[-1]) + 1
+    return modal_contacts.closed(int(touching[-1]) + 1, done, record, step, *asked(law))

@@ -14,7 +14,7 @@ from ...solution.sampled_motion import SampledMotion
 from ...solution.solution import ContactPeriod, Solution
 from ...solution.summary import summary
 from ...text.notes import Note, Severity
-from ..base import AFTERGLOW
+from ..base import AFTERGLOW, MAX_ROUND_TRIPS
 from ..validity import STILL_TOUCHING
 
 SLIGHT = 1e-9  # of the impulse of the impact: contacts of less are the wake of the wave, and are not listed
@@ -58,9 +58,8 @@ def solve_balls(scene: Scene, method: dict[str, Any], duration: float | None) ->
     velocity = np.array([scene.impactor.velocity, *(0.0 for _ in row.balls)])
     laws: list[Law] = [scene.contact, *(law for law in scene.joint_laws if law is not None)]
     first = mass[0] * mass[1] / (mass[0] + mass[1])
-    course = follow(
-        mass, velocity, np.array([0.0, *row.gaps]), laws, contact_time(laws[0], first, scene.speed), duration
-    )
+    unit, limit = contact_time(laws[0], first, scene.speed), MAX_ROUND_TRIPS * scene.time_unit
+    course = follow(mass, velocity, np.array([0.0, *row.gaps]), laws, unit, limit, duration)
     if duration is None and course.parted:
         course = _flown_on(course, AFTERGLOW * scene.time_unit)
     total = float(course.impulse[-1].max())

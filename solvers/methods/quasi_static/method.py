@@ -71,8 +71,9 @@ class QuasiStatic(Method):
     def why_not(self, scene: Scene) -> Note | None:
         model = self.model_of(scene)
         target, kinds = scene.target, {"impactor": scene.impactor.kind, "target": scene.target.kind}
-        if isinstance(target, Waveguide) and (target.endless or not isinstance(target, Rod)):
-            return Note("refusals.no-finite-body", Severity.REFUSAL)
+        for body in (scene.impactor, target):
+            if isinstance(body, Waveguide) and (body.endless or not isinstance(body, Rod)):
+                return Note("refusals.no-finite-body", Severity.REFUSAL)
         if isinstance(target, Balls):
             return why_not_balls(scene)
         if not model.startswith("structural"):

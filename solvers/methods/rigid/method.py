@@ -47,7 +47,7 @@ class RigidImpulse(Method):
         target = scene.target
         if target.half_swing is not None:
             return Note("refusals.mass-on-spring", Severity.REFUSAL)
-        if not target.bonded:
+        if not (scene.impactor.bonded and target.bonded):
             return Note("refusals.loose-chain-as-whole", Severity.REFUSAL)
         return None
 

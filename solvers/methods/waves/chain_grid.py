@@ -30,10 +30,12 @@ from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
 from .chain_scene import UNKNOWN, ChainHistory, ChainScene
 from .grid_parted import clear
+from .weight import ENDLESS, GOES_ON, Falling
 
 NODE_STEPS = 2_000_000  # of all nodes together: some tenths of a second, 80 MB
 PARTING_CHECKS = 40  # over the time followed, whether the bodies have parted; more cost time, fewer a longer tail
 TRIALS = 20_000  # numbers of steps among which is looked for the one that suits the lengths of the rods best
+MUCH_OFF = 0.01  # of a first contact, which is said
 COARSER = 0.45  # steps of the second solve, as a share of those of the first: their difference gives the error
 
 
@@ -55,17 +57,21 @@ class GridHistory(ChainHistory):
         self.reach, self.parted, self.faded = min(limit, horizon), False, False
         while True:
             self._march()
-            if self.parted or self.faded or self.reach >= limit:
+            swings_on = self.falls is not None and self.falls.how == ENDLESS
+            if self.parted or self.faded or swings_on or self.reach >= limit:
                 break
             self.reach = min(4.0 * self.reach, limit)
         self.cut = not (self.parted or self.faded or self.asked)
         self.contacts = self.periods(self.contact)
         self.touching = bool(self.contacts) and self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12)
         self.error = MILLIONTH if self.faded else 0.0
+        self.first_off = 0.0  # by how much the first contact was off, see `chain_solve`
 
     def _march(self) -> None:
         self._integrals: dict[tuple[int, int], np.ndarray] = {}
+        self.falls = Falling(self.given) if self.given.chain.fall and not self.asked else None
         affordable = int(self.share * NODE_STEPS) // len(self.laws)
+        self._end = affordable
         count, lags = best_steps(self.given.chain, self.reach, affordable, self.trials)
         self.step, self.chain = self.reach / count, rounded(self.given.chain, lags, self.reach / count)
         nodes = len(self.laws)
@@ -85,6 +91,7 @@ class GridHistory(ChainHistory):
         for first, last in zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True):
             wave_grid.march(self.chain, lags, self.step, first, last, *laws, pulse, *state, *kept)
             if not self.asked and (self._has_parted(last) or self._has_faded(last)):
+                last = min(last, self._end)
                 self.reach = last * self.step
                 self.left, self.right, self.force = self.left[:, :last], self.right[:, :last], self.force[:, :last]
                 self.depth, self.lost = self.depth[:, : last + 1], self.lost[:, : last + 1]
@@ -94,6 +101,8 @@ class GridHistory(ChainHistory):
 
     def _has_parted(self, last: int) -> bool:
         """Whether the impactor has been apart for a while, and for good: see `numerics.parting`."""
+        if self.falls:
+            return self._falls_no_more(last)
         wait, longest = patience(self.chain)
         quiet = last - 1 - int(np.flatnonzero(self.force[self.contact, :last])[-1])
         if quiet * self.step < wait:
@@ -105,10 +114,20 @@ class GridHistory(ChainHistory):
         self.doubtful = self.parted and not sure
         return self.parted
 
+    def _falls_no_more(self, last: int) -> bool:
+        """Whether it is seen how what its weight brings back goes on: it flies, or never leaves."""
+        assert self.falls
+        self._integrals.clear()
+        how = self.falls.look(self, last * self.step)
+        self.parted = how not in (GOES_ON, ENDLESS)
+        if self.falls.comes_back:
+            self._end = math.ceil(self.falls.stop / self.step)
+        return how != GOES_ON
+
     def _has_faded(self, last: int) -> bool:
         """Before a rod without end: whether nothing is left to come."""
-        looked, before = last * PARTING_CHECKS // self.force.shape[1], self.rods[-1].support == "anechoic"
-        if before and looked % (PARTING_CHECKS // 4) == 0:
+        looked, before = last * PARTING_CHECKS // self.force.shape[1], self.chain.kind[-1] == ABSORBING
+        if before and not self.falls and looked % (PARTING_CHECKS // 4) == 0:
             self._integrals.clear()
             self.faded = self.energy_left(last * self.step) < MILLIONTH**2
         return self.faded
@@ -132,6 +151,8 @@ class GridHistory(ChainHistory):
     def notes(self) -> list[Note]:
         times, change = self.force.shape[1], self.change()
         found = [Note("stepped-on-grid", Severity.REMARK, times=times, change=change)]
+        if self.first_off > MUCH_OFF:
+            found.append(Note("grid-too-coarse", Severity.WARNING, share=100.0 * self.first_off))
         if self.unresolved() > 0.01:
             found.append(Note("fronts-unresolved", Severity.WARNING, share=100.0 * self.unresolved()))
         return found + self.end_notes()
@@ -184,6 +205,13 @@ class GridHistory(ChainHistory):
         cell = np.clip(np.floor(places), 0, last - 1).astype(int)
         values = kept[cell] + np.clip(places - cell, 0.0, 1.0) * (kept[cell + 1] - kept[cell])
         return np.where(places >= 0.0, values, 0.0)
+
+    def integrated(self, node: int, quantity: int, t: np.ndarray) -> np.ndarray:
+        kept, places = self._known(node, quantity), self._places(t)
+        sums = _sum(0.5 * self.step * (kept[1:] + kept[:-1]))
+        cell = np.clip(np.floor(places), 0, self.force.shape[1] - 1).astype(int)
+        part, here = places - cell, kept[cell]
+        return sums[cell] + self.step * part * (here + 0.5 * part * (kept[cell + 1] - here))
 
     def squares(self, node: int, quantity: int, begin: float, end: float) -> float:
         places = np.clip(self._places(np.array([begin, end])), 0.0, self.force.shape[1])

@@ -72,41 +72,50 @@ class ChainMotion:
         """Of its face at the contact."""
         t = self._t(time)
         if self.history.contact:
-            return self._length_unit * self._face(0, False, t)[0]
-        return self._length_unit * self.history.sampled(0, PLACE, t)
+            return self._length_unit * (self._face(self.history.contact - 1, False, t)[0] + self.history.fallen(t))
+        return self._length_unit * (self.history.sampled(0, PLACE, t) + self.history.fallen(t))
 
     def face_velocity(self, time, after=True):
         """Of the impactor's face at the contact."""
         if self.history.contact:
-            return self.history.speed * self._face(0, False, self._t(time), after)[1]
+            t = self._t(time)
+            falling = self._face(self.history.contact - 1, False, t, after)[1]
+            return self.history.speed * (falling + self.history.gained(t))
         return self.impactor_velocity(time, after)
 
     def impactor_velocity(self, time, after=True):
         """Of its centre of mass."""
         t = self._t(time)
         if self.history.contact:
-            return self.scene.impactor.velocity - self.impulse(time) / self.scene.impactor.mass
-        first = self.history.chain.mass_drift[0]
-        return self.history.speed * np.where(t > 0.0, self.history.sampled(0, SPEED, t), first)
+            falling = self.scene.impactor.velocity + self.history.speed * self.history.gained(t)
+            return falling - self.impulse(time) / self.scene.impactor.mass
+        return self.history.speed * (self._mass_velocity(0, t) + self.history.gained(t))
 
     def end_position(self, time):
-        return self._length_unit * self._face(self.history.contact, True, self._t(time))[0]
+        t, contact = self._t(time), self.history.contact
+        if not self.scene.target.rods:
+            return self._length_unit * self.history.sampled(contact, PLACE, t)
+        return self._length_unit * self._face(contact, True, t)[0]
 
     def end_velocity(self, time, after=True):
-        return self.history.speed * self._face(self.history.contact, True, self._t(time), after)[1]
+        t, contact = self._t(time), self.history.contact
+        if not self.scene.target.rods:
+            return self.history.speed * self._mass_velocity(contact, t)
+        return self.history.speed * self._face(contact, True, t, after)[1]
 
     def rigid_velocity(self, time, after=True):
         """Mean velocity of the target [m/s], (4.29); as every force is finite, it never jumps."""
-        t, target = self._t(time), self.scene.target
-        momentum = sum(self._momentum(rod, t) for rod in range(self.history.contact, len(self.history.rods)))
+        t, target, last = self._t(time), self.scene.target, len(self.history.rods)
+        if not target.rods:
+            return self.history.speed * self._mass_velocity(last, t)
+        momentum = sum(self._momentum(rod, t) for rod in range(self.history.contact, last))
         if target.rods[-1].end_mass:
-            momentum = momentum + target.rods[-1].end_mass * self._end_mass_velocity(t)
+            momentum = momentum + target.rods[-1].end_mass * self._mass_velocity(last, t)
         return self.history.speed * momentum / target.mass
 
-    def _end_mass_velocity(self, t: np.ndarray) -> np.ndarray:
-        """Of the mass on the far end [v]; unlike that of the face it makes no jump."""
-        last = len(self.history.rods)
-        return np.where(t > 0.0, self.history.sampled(last, SPEED, t), self.history.chain.mass_drift[last])
+    def _mass_velocity(self, node: int, t: np.ndarray) -> np.ndarray:
+        """Of the mass beside a node [v]; unlike that of a face it makes no jump."""
+        return np.where(t > 0.0, self.history.sampled(node, SPEED, t), self.history.chain.mass_drift[node])
 
     def _momentum(self, rod: int, t: np.ndarray) -> np.ndarray:
         """Of a rod [kg] times v, without what is fixed to its end."""
@@ -120,28 +129,44 @@ class ChainMotion:
         history, scene = self.history, self.scene
         t = np.atleast_1d(self._t(time))
         unit = history.force_unit * history.speed * history.trip
-        target = unit * sum(history.rod_energy(rod, t) for rod in range(history.contact, len(history.rods)))
-        last, end = len(history.rods) - 1, scene.target.rods[-1]
-        if end.end_mass:
-            target = target + 0.5 * end.end_mass * (history.speed * self._end_mass_velocity(t)) ** 2
-        if end.support == "anechoic":
+        last, contact = len(history.rods), history.contact
+        target = unit * sum(history.rod_energy(rod, t) for rod in range(contact, last)) + self._mass_energy(last, t)
+        if history.chain.spring:
+            target = target + 0.5 * unit * history.chain.spring * history.sampled(last, PLACE, t) ** 2
+        if scene.target.endless and scene.target.rods:
             gone = [
-                history.squares(last, OUT_RIGHT, 0.0, max(now - history.chain.transit[last], 0.0)) for now in t.tolist()
+                history.squares(last - 1, OUT_RIGHT, 0.0, max(now - history.chain.transit[last - 1], 0.0))
+                for now in t.tolist()
             ]
-            target = target + unit * np.array(gone) / history.chain.impedance[last]
-        rigid = self._as_wholes(t)
-        impactor = np.zeros_like(t)
-        if history.contact:
-            impactor = unit * history.rod_energy(0, t)
-        elif not scene.prescribed_force:
-            impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
+            target = target + unit * np.array(gone) / history.chain.impedance[last - 1]
+        moved = np.zeros_like(t) if scene.target.held else target
+        rigid = self._as_wholes(t) if scene.target.rods else moved
+        impactor = unit * sum(history.rod_energy(rod, t) for rod in range(contact)) + self._mass_energy(0, t)
+        impactor = impactor + self._seen_from_ground(t)
+        fall, mass = scene.weight_acceleration, scene.impactor.mass
         return {
             "impactor": impactor,
             "target_rigid": rigid,
             "target_vibration": target - rigid,
             "local": unit * history.stored(t),
             "dissipated": unit * history.dissipated(t),
-        }
+        } | ({"weight": -mass * fall * self._length_unit * history.middle(t)} if fall else {})
+
+    def _seen_from_ground(self, t: np.ndarray) -> np.ndarray:
+        """Kinetic energy of the impactor, less that in the frame that falls with it [J]."""
+        if not self.history.chain.fall:
+            return np.zeros_like(t)
+        gained = self.history.speed * self.history.gained(t)
+        return self.scene.impactor.mass * gained * (self.impactor_velocity(t * self.history.trip) - 0.5 * gained)
+
+    def _mass_energy(self, node: int, t: np.ndarray) -> np.ndarray:
+        """Kinetic, of the mass at the first or the last node [J]."""
+        chain, history = self.history.chain, self.history
+        mass = (chain.mass_left if node == 0 else chain.mass_right)[node]
+        if not 0.0 < mass < np.inf:
+            return np.zeros_like(t)
+        unit = history.force_unit * history.speed * history.trip
+        return 0.5 * unit * mass * self._mass_velocity(node, t) ** 2
 
     def work(self, time: float) -> float:
         """What the contact force has done to the target [J]: the integral of force times velocity of its face."""
@@ -160,7 +185,7 @@ class ChainMotion:
         for rod in range(self.history.contact, len(rods)):
             momentum, mass = momentum + self._momentum(rod, t), mass + rods[rod].mass
             if rods[rod].end_mass:
-                momentum = momentum + rods[rod].end_mass * self._end_mass_velocity(t)
+                momentum = momentum + rods[rod].end_mass * self._mass_velocity(len(rods), t)
             joint = rod - self.history.contact
             last = rod == len(rods) - 1
             if last or not target.joints[joint].bonded:
@@ -181,7 +206,7 @@ class ChainMotion:
         t, x = self._before_the_end(self._t(time))[:, None], np.asarray(x, float)
         found = np.empty((t.size, x.size))
         rods = np.clip(np.searchsorted(self.edges, x, "right") - 1, 0, len(self.history.rods) - 1)
-        rods = np.where((x == 0.0), self.history.contact, rods)
+        rods = np.where((x == 0.0), min(self.history.contact, len(self.history.rods) - 1), rods)
         for rod in np.unique(rods):
             here = rods == rod
             share = (x[here] - self.edges[rod]) / self.history.rods[rod].length
@@ -201,7 +226,8 @@ class ChainMotion:
         def of_rod(rod, t, place):
             chain, lag = self.history.chain, self.history.chain.transit[rod]
             waves = self.sent(rod, True, t - place) - self.sent(rod, False, t - lag + place)
-            return self.history.speed * (chain.drift[rod] + waves / chain.impedance[rod])
+            gained = self.history.gained(t) if rod < self.history.contact else 0.0
+            return self.history.speed * (chain.drift[rod] + waves / chain.impedance[rod] + gained)
 
         return self._field(time, x, of_rod)
 
@@ -209,6 +235,7 @@ class ChainMotion:
         def of_rod(rod, t, place):
             chain, lag = self.history.chain, self.history.chain.transit[rod]
             moved = self.sent_total(rod, True, t - place) - self.sent_total(rod, False, t - lag + place)
-            return self._length_unit * (chain.drift[rod] * t + moved / chain.impedance[rod])
+            fallen = self.history.fallen(t) if rod < self.history.contact else 0.0
+            return self._length_unit * (chain.drift[rod] * t + moved / chain.impedance[rod] + fallen)
 
         return self._field(time, x, of_rod)

@@ -5,22 +5,35 @@ Units inside: time in the scene's T, velocity in the speed of approach v, force 
 
 import math
 from abc import ABC, abstractmethod
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...bodies import Pulse, Rod, Waveguide
+from ...bodies import AnyBody, Joint, Pulse, Rod, SpringMass, Waveguide
 from ...contact import Linear, Rigid
 from ...numerics.law_functions import constants_of
 from ...numerics.waves.collocation import NODES
 from ...numerics.waves.parts import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
-from ...numerics.waves.record import DEPTH, FORCE, LOST, OUT_LEFT, OUT_RIGHT, POINTS, SPEED, TOTAL_LEFT, TOTAL_RIGHT
+from ...numerics.waves.record import (
+    DEPTH,
+    FORCE,
+    IMPULSE,
+    LOST,
+    OUT_LEFT,
+    OUT_RIGHT,
+    PLACE,
+    POINTS,
+    SPEED,
+    TOTAL_LEFT,
+    TOTAL_RIGHT,
+)
 from ...scene import Scene
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
 from ..parting import MAY_TOUCH_AGAIN
 from ..validity import MAX_TRUSTED_ERROR, NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
+from .weight import Falling
 
 NO_LAW = Linear(1.0)  # where no law is asked for
 UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
@@ -33,26 +46,65 @@ def end_notes(parted: bool, touching: bool, asked: bool, full: Note | None = Non
     return [STILL_TOUCHING] if touching else []
 
 
+class End(NamedTuple):
+    """What is at an outer end of a chain, where nothing else meets it."""
+
+    kind: int  # as of a node of `numerics.waves.parts`
+    mass: float  # [kg] that moves with it: 0 for none, infinite where it is held
+    velocity: float  # before the impact [m/s]
+    spring: float = 0.0  # on which it stands [N/m]
+
+
+def end_of(body: AnyBody) -> End:
+    """The outer end of a body, on whichever side of the contact: of rods the far one, of a mass or a wall itself."""
+    if isinstance(body, Pulse):
+        return End(PRESSED, 0.0, 0.0)
+    if not body.rods:
+        return End(BONDED, body.mass, body.velocity, body.stiffness if isinstance(body, SpringMass) else 0.0)
+    last: Rod = body.rods[-1]
+    if last.support == "anechoic":
+        return End(ABSORBING, 0.0, 0.0)
+    if last.support == "fixed":
+        return End(BONDED, math.inf, 0.0)
+    return End(BONDED if last.end_mass else FREE, last.end_mass, last.velocity)
+
+
 class ChainScene:
     """What the kernels take of a scene."""
 
     def __init__(self, scene: Scene):
-        self.scene, self.target = scene, scene.target.known_as(Waveguide)
+        self.scene = scene
         self.trip, self.speed = scene.time_unit, scene.speed
-        self.force_unit = self.target.impedance * self.speed
-        self.rods: list[Rod] = [*scene.impactor.rods, *scene.target.rods]
-        self.contact = len(self.rods) - len(scene.target.rods)
+        self.force_unit = scene.impedance * self.speed
+        self.rods: list[Rod] = [*scene.impactor.rods[::-1], *scene.target.rods]
+        self.contact = len(scene.impactor.rods)
+        self.ends = end_of(scene.impactor), end_of(scene.target)
         self.laws = self._laws()
         self.chain = self._chain()
         self.masses = self._masses()
+        self.striker = scene.impactor.mass / self._mass_unit
         self.pulse = self._pulse()
+
+    @property
+    def _mass_unit(self) -> float:
+        return self.force_unit * self.trip / self.speed
+
+    @property
+    def joints(self) -> dict[int, tuple[Joint, Any]]:
+        """Joint and law, None if bonded, at every node between two rods of one body."""
+        scene, found = self.scene, {}
+        for body, laws, way in ((scene.impactor, scene.striker_laws, -1), (scene.target, scene.joint_laws, 1)):
+            if body.rods:
+                pairs = zip(body.known_as(Waveguide).joints, laws or (None,) * len(body.rods), strict=False)
+                found |= {self.contact + way * number: pair for number, pair in enumerate(pairs, 1)}
+        return found
 
     def _laws(self) -> list[Any]:
         """The scaled law of every node, or None."""
         laws: list[Any] = [None] * (len(self.rods) + 1)
         laws[self.contact] = self.scene.contact
-        for number, law in enumerate(self.scene.joint_laws, self.contact + 1):
-            laws[number] = law
+        for node, (_, law) in self.joints.items():
+            laws[node] = law
         units = self.speed * self.trip, self.speed, self.force_unit
         return [None if law is None or isinstance(law, Rigid) else law.scaled(*units) for law in laws]
 
@@ -74,39 +126,29 @@ class ChainScene:
 
     def _chain(self) -> Chain:
         """The scene as nodes and rods."""
-        scene, nodes = self.scene, len(self.rods) + 1
+        nodes, scene = len(self.rods) + 1, self.scene
         kind, gap = np.full(nodes, BONDED), np.zeros(nodes)
-        mass_left, mass_right, mass_drift = np.zeros(nodes), np.zeros(nodes), np.zeros(nodes)
-        mass_unit = self.force_unit * self.trip / self.speed
-        if isinstance(scene.impactor, Rod):
-            kind[0] = FREE
-        elif not scene.prescribed_force:
-            mass_left[0], mass_drift[0] = scene.impactor.mass / mass_unit, scene.impactor.velocity / self.speed
-        for number, joint in enumerate(self.target.joints, self.contact + 1):
-            gap[number] = joint.gap / (self.speed * self.trip)
+        masses, drift = np.zeros((2, nodes)), np.zeros(nodes)  # masses: left and right of a node
+        for side, (node, end) in enumerate(zip((0, -1), self.ends, strict=True)):
+            kind[node], masses[side, node] = end.kind, end.mass / self._mass_unit
+            drift[node] = end.velocity / self.speed
+        for node, (joint, _) in self.joints.items():
+            gap[node] = joint.gap / (self.speed * self.trip)
             if not joint.bonded:
-                kind[number] = RIGID_FACES if self.laws[number] is None else LAW
-        kind[self.contact] = RIGID_FACES if self.laws[self.contact] is None else LAW
-        if scene.prescribed_force:
-            kind[0] = PRESSED
-        last = self.rods[-1]
-        if last.support == "free":
-            kind[-1], mass_right[-1] = (BONDED, last.end_mass / mass_unit) if last.end_mass else (FREE, 0.0)
-            mass_drift[-1] = last.velocity / self.speed
-        elif last.support == "fixed":
-            mass_right[-1] = math.inf
-        else:
-            kind[-1] = ABSORBING
+                kind[node] = RIGID_FACES if self.laws[node] is None else LAW
+        if not scene.prescribed_force:
+            kind[self.contact] = RIGID_FACES if self.laws[self.contact] is None else LAW
         return Chain(
-            np.array([rod.impedance for rod in self.rods]) / self.target.impedance,
+            np.array([rod.impedance for rod in self.rods]) / scene.impedance,
             np.array([0.5 * rod.round_trip_time for rod in self.rods]) / self.trip,
             np.array([rod.velocity for rod in self.rods]) / self.speed,
             kind,
-            mass_left,
-            mass_right,
-            mass_drift,
+            *masses,
+            drift,
             gap,
             self.contact,
+            self.ends[1].spring * self.speed * self.trip / self.force_unit,
+            scene.weight_acceleration * self.trip / self.speed,
         )
 
     def _pulse(self) -> np.ndarray:
@@ -118,20 +160,19 @@ class ChainScene:
         return np.column_stack((edges / self.trip, forces / self.force_unit))
 
     def _masses(self) -> np.ndarray:
-        """Of the part to the right of every joint that can open, the contact being one; of the impactor at last."""
-        unit = self.force_unit * self.trip / self.speed
-        masses = np.full(len(self.laws) + 1, math.inf)
-        target, part = self.target, self.contact
-        masses[part] = 0.0
-        for number, rod in enumerate(target.rods):
-            if number and not target.joints[number - 1].bonded:
-                part = self.contact + number
+        """Of the part to the right of every joint that can open, the contact being one; of the first part at last."""
+        nodes, part = len(self.rods) + 1, -1
+        masses = np.full(nodes + 1, math.inf)
+        masses[-1] = self.ends[0].mass
+        for node in range(nodes):
+            joint = self.joints.get(node)
+            if node == self.contact or (joint and not joint[0].bonded):
+                part = node
                 masses[part] = 0.0
-            masses[part] += rod.mass / unit
-        if target.held:
-            masses[part] = math.inf
-        masses[-1] = self.scene.impactor.mass / unit
-        return masses
+            if node < nodes - 1:
+                masses[part] += self.rods[node].mass - self.rods[node].end_mass
+        masses[part] += math.inf if self.scene.target.held else self.ends[1].mass
+        return masses / self._mass_unit
 
 
 class ChainHistory(ABC):
@@ -150,11 +191,38 @@ class ChainHistory(ABC):
     touching: bool
     faded: bool  # before a rod without end: nothing is left to come
     doubtful: bool  # the bodies have moved apart, but may touch again
+    falls: Falling | None = None  # how an impact under weight goes, where no end was asked for
 
     def __init__(self, given: ChainScene):
         self.given, self.scene, self.chain = given, given.scene, given.chain
         self.trip, self.speed, self.force_unit = given.trip, given.speed, given.force_unit
         self.rods, self.contact, self.laws = given.rods, given.contact, given.laws
+
+    # --- what falls, seen from the ground: its waves are those in the frame that falls with it ------------------------
+
+    def fallen(self, t: np.ndarray) -> np.ndarray:
+        """By how much its weight alone has moved the impactor [v T]."""
+        return 0.5 * self.chain.fall * t * t
+
+    def gained(self, t: np.ndarray) -> np.ndarray:
+        """By how much its weight alone has sped it up [v]."""
+        return self.chain.fall * t
+
+    def velocity_as_whole(self, t: np.ndarray) -> np.ndarray:
+        """Of the impactor [v], which its weight changes and the contact force."""
+        first = self.chain.drift[0] if self.contact else self.chain.mass_drift[0]
+        return first + self.gained(t) - self.sampled(self.contact, IMPULSE, t) / self.given.striker
+
+    def middle(self, t: np.ndarray) -> np.ndarray:
+        """How far the centre of mass of the impactor has come [v T]."""
+        if not self.contact:
+            return self.sampled(0, PLACE, t) + self.fallen(t)
+        pushed = self.integrated(self.contact, IMPULSE, t) / self.given.striker
+        return self.chain.drift[0] * t + self.fallen(t) - pushed
+
+    def pressing(self, t: float) -> float:
+        """The contact force at the end of the time solved [Z v]."""
+        return float(self.sampled(self.contact, FORCE, np.array([t]), False)[0])
 
     def estimated_error(self, residual: float, unbalanced: float, tolerance: float) -> float:
         """Of the final velocity of the impactor [v]; residual: what energies and momenta miss, unbalanced: momenta."""
@@ -169,6 +237,8 @@ class ChainHistory(ABC):
             return [*found, NEVER_PART if self.touching else TOUCH_ON]
         if self.doubtful:
             return [*found, MAY_TOUCH_AGAIN]
+        if self.falls and not self.cut:
+            return [*found, *self.falls.notes()]
         return found + end_notes(not self.cut, self.touching, False)
 
     @abstractmethod
@@ -178,6 +248,10 @@ class ChainHistory(ABC):
     @abstractmethod
     def sampled(self, node: int, quantity: int, t: np.ndarray, after: bool = True) -> np.ndarray:
         """A kept quantity of a node at times [T]; beyond the end of the time solved, its last value."""
+
+    @abstractmethod
+    def integrated(self, node: int, quantity: int, t: np.ndarray) -> np.ndarray:
+        """A kept quantity of a node, integrated from the beginning to each time [T]."""
 
     @abstractmethod
     def squares(self, node: int, quantity: int, begin: float, end: float) -> float:

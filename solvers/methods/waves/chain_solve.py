@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ...bodies import Pulse
+from ...bodies import Pulse, Waveguide
 from ...numerics.waves.record import IMPULSE
 from ...scene import Scene
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS
@@ -16,6 +16,8 @@ COARSE_TOLERANCES = (1e-7, 1e-5)  # with each the echoes that count are some tim
 LOOSER = 10.0  # what is found with a tolerance this many times larger gives its error
 POOR = 1e-4  # error of a velocity [v]: with a larger one a chain is so sensitive that a grid may be better
 SURE = 2.0  # times what a grid differs by from a coarser one: measured on random chains, see the tests
+FINE_LENGTHS = 1e-3  # share of the length of a rod by which it may be changed, and nothing be seen of it
+CLOSER = 1.25  # times the first contact: how far it is looked at anew
 FIRST_LOOK = 20.0  # round trips of the longest rod: how far a grid looks at first for when the bodies part
 
 
@@ -30,7 +32,8 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
     history = ExactHistory(given, until, tolerance)
     if not history.gave_up:
         return history
-    reach, coarse = history.reach, None
+    reach, coarse, sprung = history.reach, None, given.chain.spring > 0.0  # of which the grid knows nothing
+    whole = history if sprung else None
     del history  # a hundred megabytes
     for looser in COARSE_TOLERANCES:
         if looser > tolerance:
@@ -39,8 +42,10 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
                 coarse.error = max(coarse.error, _difference(coarse, ExactHistory(given, until, LOOSER * looser)))
                 break
             reach, coarse = coarse.reach, None
-    if coarse is not None and coarse.error <= POOR:
+    if coarse is not None and (sprung or coarse.error <= POOR):
         return coarse
+    if whole is not None:
+        return whole
     horizon = max(2.0 * reach, FIRST_LOOK * max(rod.round_trip_time for rod in given.rods) / given.trip)
     grid = GridHistory(given, until, horizon)
     shown = grid.contacts[-1].end / given.trip + AFTERGLOW
@@ -49,13 +54,31 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
         grid.doubtful = doubtful
     rough = GridHistory(given, grid.reach, grid.reach, COARSER, trials=1)
     grid.error = max(grid.error, SURE * _difference(grid, rough))
+    _look_closer(grid)
     return grid if coarse is None or (grid.error < coarse.error and not grid.cut) else coarse
+
+
+def _look_closer(grid: GridHistory) -> None:
+    """The first contact on a grid of its own, where that of all the time solved is too coarse for it: what it was off
+    by is more than the last velocity, which may have died away by then, can show.
+    """
+    first = grid.contacts[0] if grid.contacts else None
+    if first is None or first.end == first.start or grid.change() <= FINE_LENGTHS:
+        return
+    until = min(CLOSER * first.end / grid.trip, grid.reach)
+    closer = GridHistory(grid.given, until, until).contacts if until < grid.reach else []
+    known = [each for each in closer if each.start < first.end]  # several, where their gaps are finer than a step
+    if known and known[-1].end < until * grid.trip:
+        was, now = ((each.peak_force, each.end - each.start) for each in (first, known[0]))
+        grid.first_off = max(abs(a / b - 1.0) for a, b in zip(was, now, strict=True))
+        grid.contacts[:1], grid.error = known, max(grid.error, grid.first_off)
 
 
 def _closing_time(pulse: Pulse, given: ChainScene) -> float:
     """Of all gaps [s], where all before each goes on with the momentum that the force gives; none if that pulls."""
-    moved = np.cumsum([rod.mass for rod in given.target.rods])[:-1]
-    gaps = np.array([joint.gap for joint in given.target.joints])
+    target = given.scene.target.known_as(Waveguide)
+    moved = np.cumsum([rod.mass for rod in target.rods])[:-1]
+    gaps = np.array([joint.gap for joint in target.joints])
     return float(moved @ gaps) / pulse.impulse if pulse.impulse > 0.0 else 0.0
 
 
@@ -68,7 +91,7 @@ def _difference(history: ChainHistory, coarse: ChainHistory) -> float:
     difference = np.abs(pushed[0] - pushed[1])
     if given.scene.prescribed_force:
         return float(difference.max() * given.force_unit * given.trip / (given.scene.target.mass * given.speed))
-    return float(difference[given.contact] / given.masses[-1])
+    return float(difference[given.contact] / given.striker)
 
 
 def _pushed(history: ChainHistory, node: int) -> float:

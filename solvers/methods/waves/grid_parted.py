@@ -7,26 +7,28 @@ import numpy as np
 
 from ...numerics.parting import reach
 from ...numerics.waves.parted import of_part
-from ...numerics.waves.parts import ABSORBING, BONDED, Chain
+from ...numerics.waves.parts import ABSORBING, LAW, RIGID_FACES, Chain
 from ...numerics.waves.record import SPEED, TOTAL_LEFT, TOTAL_RIGHT
 
 
 def clear(history: Any, steps: int) -> bool:
     """Whether after so many steps all parts move apart as wholes, and are further apart than their faces reach."""
-    chain, contact, last = history.chain, history.contact, len(history.laws) - 1
-    t, striker = history.step * steps, history.given.masses[-1]
-    opening = [node for node in range(contact, last) if node == contact or chain.kind[node] != BONDED]
+    chain, last = history.chain, len(history.laws) - 1
+    t, first_mass = history.step * steps, history.given.masses[-1]
+    opening = [node for node in range(last + 1) if chain.kind[node] in (RIGID_FACES, LAW)]
     pushed = {node: history.step * np.cumsum(history.force[node, :steps]) for node in opening}
-    speed = (chain.drift[0] if contact else chain.mass_drift[0]) - pushed[contact][-1] / striker
-    place = (chain.drift[0] if contact else chain.mass_drift[0]) * t - history.step * pushed[contact].sum() / striker
-    ahead = _part(history, 0, contact, t)[3] if contact else 0.0
-    for node, following in zip(opening, [*opening[1:], last], strict=True):
-        mass, moving, back, front = _part(history, node, following, t)
-        gained = history.step * (pushed[node].sum() - (pushed[following].sum() if following < last else 0.0))
-        there = chain.drift[node] * t + gained / mass if math.isfinite(mass) else 0.0
-        if _endless(chain, following):
-            sent = history.sampled(last - 1, TOTAL_RIGHT, np.array([t]))
-            there = float(sent[0]) / float(chain.impedance[last - 1])
+    node = opening[0]
+    drift = chain.drift[0] if node else chain.mass_drift[0]
+    speed = drift - pushed[node][-1] / first_mass
+    place = drift * t - history.step * pushed[node].sum() / first_mass
+    ahead = _part(history, 0, node, t)[3] if node else 0.0
+    for node, following in zip(opening, [*opening[1:], None], strict=True):
+        mass, moving, back, front = _part(history, node, last if following is None else following, t)
+        gained = history.step * (pushed[node].sum() - (0.0 if following is None else pushed[following].sum()))
+        before = chain.drift[node] if node < last else chain.mass_drift[node]
+        there = before * t + gained / mass if math.isfinite(mass) else 0.0
+        if following is None and _endless(chain, last):
+            there = float(history.sampled(last - 1, TOTAL_RIGHT, np.array([t]))[0]) / float(chain.impedance[last - 1])
         if moving < speed or chain.gap[node] + there - place <= ahead + back:
             return False
         speed, place, ahead = moving, there, front
@@ -34,10 +36,11 @@ def clear(history: Any, steps: int) -> bool:
 
 
 def _part(history: Any, begin: int, end: int, t: float) -> tuple[float, float, float, float]:
-    """The rods between two nodes as one body: mass, velocity as a whole, how far its first and last faces reach."""
+    """What is between two nodes as one body: mass, velocity as a whole, how far its first and last faces reach."""
     chain, now, last = history.chain, np.array([t]), len(history.laws) - 1
-    near = float(chain.mass_left[begin]) if begin < history.contact else 0.0
-    far, stop = (float(chain.mass_right[end]), end) if end == last else (0.0, end)
+    striking = begin < history.contact
+    near = float(chain.mass_left[begin]) if striking else 0.0
+    far, stop = (float(chain.mass_right[end]), end) if end == last and not striking else (0.0, end)
     if _endless(chain, end):
         far, stop = math.inf, end - 1
     masses = chain.impedance[begin:stop] * chain.transit[begin:stop]

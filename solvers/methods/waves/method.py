@@ -29,7 +29,8 @@ FEW_RODS = 3  # in longer chains the echoes of echoes multiply, and only the tol
 
 @dataclass(frozen=True)
 class Waves(Method):
-    """Travelling waves in rods: a mass or a rod strikes a rod or a chain of rods.
+    """Travelling waves in rods: of two bodies that meet one is a rod or a chain of rods, the other too, a mass,
+    one on a spring, or a wall.
 
     A mass on one rod, rigid contact: exact, events to rounding; with `steps` over the whole duration, second order on a
     grid of times. Contact laws, rods against rods, chains with changes of section, joints that open: delay equations
@@ -46,15 +47,25 @@ class Waves(Method):
     RESOLUTIONS = ("steps", "tolerance")
     TRUSTED_ERROR = MAX_TRUSTED_ERROR
     PULSES = True
+    WEIGHT = True
 
     def why_not(self, scene: Scene) -> Note | None:
-        if not isinstance(scene.target, Waveguide):
-            return Note("refusals.not-rods", Severity.REFUSAL, target=scene.target.kind)
+        target = scene.target
+        whole = target.free_mass or target.half_swing is not None or (target.held and math.isinf(target.mass))
+        if not (isinstance(target, Waveguide) or (isinstance(scene.impactor, Waveguide) and whole)):
+            kinds = {"impactor": scene.impactor.kind, "target": scene.target.kind}
+            return Note("refusals.not-rods", Severity.REFUSAL, **kinds)
         if self.steps is not None and not one_front(scene):
             return Note("refusals.steps-of-waves", Severity.REFUSAL)
-        if len({type(law) for law in scene.joint_laws if law is not None and law.NAME != "rigid"}) > 1:
+        joints = (*scene.striker_laws, *scene.joint_laws)
+        if len({type(law) for law in joints if law is not None and law.NAME != "rigid"}) > 1:
             return Note("refusals.unlike-joints", Severity.REFUSAL)
         return None
+
+    def takes_weight(self, scene: Scene) -> bool:
+        """Where all joints are bonded: of rods that may come apart each would stand in a state of its own before."""
+        bodies = [body for body in (scene.impactor, scene.target) if isinstance(body, Waveguide)]
+        return all(joint.bonded for body in bodies for joint in body.joints)
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         begun = clock()
@@ -110,16 +121,16 @@ class Waves(Method):
 
     def _solve_chain(self, scene: Scene, until: float, begun: float) -> Solution:
         """Several rods, or a contact law, or a rod that strikes: see `numerics.waves.network`."""
-        laws = (scene.contact, *scene.joint_laws)
+        laws = (scene.contact, *scene.striker_laws, *scene.joint_laws)
         rigid = all(law is None or isinstance(law, Rigid) for law in laws)
-        rigid = rigid and len(scene.target.rods) <= FEW_RODS
+        rigid = rigid and max(len(scene.impactor.rods), len(scene.target.rods)) <= FEW_RODS
         tolerance = min(self.tolerance, RIGID_TOLERANCE) if rigid else self.tolerance
         history = follow(scene, until, tolerance if rigid else 0.1 * tolerance)  # errors of some steps add up
         trip = history.trip
         joints = [history.periods(node) for node in range(history.contact + 1, len(history.rods))]
         shown = min(until, history.reach)
         if not math.isfinite(until):
-            gaps = zip(scene.target.known_as(Waveguide).joints, joints, strict=True)
+            gaps = zip(scene.target.known_as(Waveguide).joints if joints else (), joints, strict=True)
             closing = [periods[0].start for joint, periods in gaps if joint.gap and periods]  # however late that is
             shown = min(max([history.contacts[-1].end, *closing]) / trip + AFTERGLOW, history.reach)
         wall_time = clock() - begun

@@ -12,7 +12,7 @@ from numba import types
 
 from ...jit.kernels import address, addressed_kernel, inner_kernel
 from ..law_functions import CONSTANTS, one_of
-from .collocation import INTEGRATE, INTEGRATE_TWICE, STAGES, solve_in_place
+from .collocation import INTEGRATE, STAGES, solve_in_place
 from .record import POINTS
 
 DENT, CORNER, STORED, FORCE = range(4)  # what a law is asked for
@@ -32,11 +32,13 @@ class Work(NamedTuple):
     right: np.ndarray
     slopes: np.ndarray  # (2,) of the force, by depth and rate
     matrix: np.ndarray  # its first STAGES columns
+    slows: np.ndarray  # (STAGES, POINTS): what a force at each stage has done to the speed of a unit mass at another
+    shifts: np.ndarray  # the same to its place
 
 
 def new_work() -> Work:
-    rows = np.zeros((8 + STAGES, POINTS))
-    return Work(*rows[:7], slopes=rows[7], matrix=rows[8:])
+    rows = np.zeros((8 + 3 * STAGES, POINTS))
+    return Work(*rows[:7], rows[7], *(rows[8 + k * STAGES : 8 + (k + 1) * STAGES] for k in range(3)))
 
 
 def law_kernel(kind: type) -> Callable:
@@ -84,8 +86,8 @@ def follow(rods, masses, depth, step, work):
         a, slowed = depth, 0.0
         for j in range(STAGES):
             a += step * INTEGRATE[i, j] * (work.closing[j + 1] - rods * work.forces[j + 1])
-            a -= masses * step * step * INTEGRATE_TWICE[i, j] * work.forces[j + 1]
-            slowed += masses * step * INTEGRATE[i, j] * work.forces[j + 1]
+            a -= masses * work.shifts[i, j] * work.forces[j + 1]
+            slowed += masses * work.slows[i, j] * work.forces[j + 1]
         work.depth[i + 1] = a
         work.rate[i + 1] = work.closing[i + 1] - rods * work.forces[i + 1] - slowed
 
@@ -130,8 +132,8 @@ def press(law, constants, rods, masses, depth, deepest, guess, step, work):
             force = law(FORCE, constants, work.depth[i + 1], work.rate[i + 1], deepest, work.slopes)
             work.right[i] = force - work.forces[i + 1]
             for j in range(STAGES):
-                drop = step * INTEGRATE[i, j] * rods + masses * step * step * INTEGRATE_TWICE[i, j]
-                work.matrix[i, j] = work.slopes[0] * drop + work.slopes[1] * masses * step * INTEGRATE[i, j]
+                drop = step * INTEGRATE[i, j] * rods + masses * work.shifts[i, j]
+                work.matrix[i, j] = work.slopes[0] * drop + work.slopes[1] * masses * work.slows[i, j]
             work.matrix[i, i] += 1.0 + work.slopes[1] * rods
         if not solve_in_place(work.matrix, work.right, STAGES):
             return False

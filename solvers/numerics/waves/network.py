@@ -24,11 +24,12 @@ from .collocation import STAGES
 from .events import FAILS, NO_PULL, RETRIES, SMOOTH, face_events, law_events
 from .laws import CORNER, DENT, press, store
 from .nodes import add_break, finish, prepare, seen, share_of_error, simple_forces, tiny
-from .parts import BONDED, LAW, PRESSED, RIGID_FACES, mobility
+from .parts import LAW, PRESSED, RIGID_FACES, mobility, opens, swings
 from .record import FORCE, jumped, pushed
 
 FORESEEN = 0.1  # of the force that a rejected step shows: so large it will be
 LEAST_STEP = 1e-13  # tried next, as a share of the time: below it rounding is taken for detail
+PART_OF_SWING = 0.25  # of a radian, the longest step of a mass on a spring: what a polynomial follows to 1e-10
 
 # how a solve ended
 PARTED, STOPPED, FULL, FAILED = range(4)
@@ -44,6 +45,8 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
         span = min(span, seen(record, node - 1, chain.transit[node - 1], state.time[node], state.seek_left[node]))
     if node < chain.kind.size - 1:
         span = min(span, seen(record, node + 1, chain.transit[node], state.time[node], state.seek_right[node]))
+    if swings(chain, node) > 0.0:
+        span = min(span, PART_OF_SWING / np.sqrt(swings(chain, node)))
     n, step = record.count[node], min(state.step[node], span)
     guess = record.values[node, n - 1, FORCE, STAGES] if n > 0 else 0.0
     if step > 0.5 * span:
@@ -134,26 +137,29 @@ def _announce(chain, state, record, node, t, limit, changed, tolerance):
 
 @kernel
 def separate(chain, masses, pushed, creep):
-    """Whether no part of the chain can catch up with the one before it, the impactor being the first.
+    """Whether no part of the chain can catch up with the one before it, from the one furthest left on.
 
     Parts lie between joints that can open; `masses` (nodes + 1,): of the part to the right of such a joint, infinite if
-    it is held, and of the impactor at last; `pushed` (nodes,): impulse through every node so far; `creep`: a speed with
-    which none comes closer in any time that matters.
+    it is held, and of the first part at last; `pushed` (nodes,): impulse through every node so far; `creep`: a speed
+    with which none comes closer in any time that matters.
     """
     chain = refer(chain)
-    node = chain.contact
-    slower = (chain.drift[node - 1] if node > 0 else chain.mass_drift[node]) - pushed[node] / masses[-1]
-    while node < chain.kind.size - 1:
+    node, last = 0, chain.kind.size - 1
+    while node < chain.contact and not opens(chain, node):
+        node += 1
+    slower = (chain.drift[0] if node > 0 else chain.mass_drift[0]) - pushed[node] / masses[-1]
+    while True:
         following = node + 1
-        while following < chain.kind.size - 1 and chain.kind[following] == BONDED:
+        while following < last and not opens(chain, following):
             following += 1
-        opens = chain.kind[following] == RIGID_FACES or chain.kind[following] == LAW
-        passed = pushed[following] if opens else 0.0
-        moving = chain.drift[node] + (pushed[node] - passed) / masses[node]
+        passed = pushed[following] if following <= last and opens(chain, following) else 0.0
+        drift = chain.drift[node] if node < last else chain.mass_drift[node]
+        moving = drift + (pushed[node] - passed) / masses[node]
         if moving < slower - creep:
             return False
+        if following > last or not opens(chain, following):
+            return True
         slower, node = moving, following
-    return True
 
 
 @inner_kernel

@@ -18,7 +18,7 @@ from .collocation import (
 )
 from .events import BENDS, NO_PULL, PARTS, TOUCHES, TURNS
 from .laws import follow
-from .parts import ABSORBING, FREE, LAW, PRESSED, RIGID_FACES, Chain
+from .parts import ABSORBING, FREE, LAW, PRESSED, RIGID_FACES, Chain, swings
 from .record import DEPTH, FORCE, IMPULSE, LOST, OUT_LEFT, OUT_RIGHT, PLACE, POINTS, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 
 # [T] From which on the error of a step counts in full, that of a shorter one in proportion, as there are more of them.
@@ -131,8 +131,42 @@ def _arrivals(record, sender, quantity, delay, t, step, seek, arriving):
 
 
 @inner_kernel
-def _free_closing(chain, state, node, work):
+def _freely(square, speed, place, t):
+    """Speed and place of a mass a time later, without a force: see `parts.swings`."""
+    if square == 0.0:
+        return speed, place + t * speed
+    frequency = np.sqrt(square)
+    turned, still = np.sin(frequency * t), np.cos(frequency * t)
+    return speed * still - place * frequency * turned, place * still + speed / frequency * turned
+
+
+@inner_kernel
+def _respond(square, step, work):
+    """Fill `slows` and `shifts` for a step; on a spring by the same collocation, as a'' = f - square a."""
+    for j in range(STAGES):
+        if square == 0.0:
+            for i in range(STAGES):
+                work.slows[i, j] = step * INTEGRATE[i, j]
+                work.shifts[i, j] = step * step * INTEGRATE_TWICE[i, j]
+            continue
+        for i in range(STAGES):
+            work.right[i] = step * step * INTEGRATE_TWICE[i, j]
+            for k in range(STAGES):
+                work.matrix[i, k] = step * step * square * INTEGRATE_TWICE[i, k]
+            work.matrix[i, i] += 1.0
+        solve_in_place(work.matrix, work.right, STAGES)
+        for i in range(STAGES):
+            work.shifts[i, j] = work.right[i]
+        for i in range(STAGES):
+            work.slows[i, j] = step * INTEGRATE[i, j]
+            for k in range(STAGES):
+                work.slows[i, j] -= step * INTEGRATE[i, k] * square * work.shifts[k, j]
+
+
+@inner_kernel
+def _free_closing(chain, state, node, step, work):
     """Closing speed of the faces if they did not press on each other, at every point."""
+    square = swings(chain, node)
     for i in range(POINTS):
         left = right = 0.0
         if node > 0:
@@ -142,12 +176,14 @@ def _free_closing(chain, state, node, work):
         if node < chain.kind.size - 1:
             right = chain.drift[node] - 2.0 * work.from_right[i] / chain.impedance[node]
         elif chain.mass_right[node] > 0.0:
-            right = state.speed[node]
+            right = _freely(square, state.speed[node], state.place[node], step * NODES[i])[0]
         work.closing[i] = left - right
+        if node == chain.contact:  # what falls speeds up as a whole
+            work.closing[i] += chain.fall * (state.time[node] + step * NODES[i])
 
 
 @inner_kernel
-def _bonded_force(rods, masses, step, work):
+def _bonded_force(rods, masses, work):
     """Force at every point that keeps the faces together."""
     work.forces[0] = work.closing[0] / rods
     if masses == 0.0:
@@ -157,7 +193,7 @@ def _bonded_force(rods, masses, step, work):
     for i in range(STAGES):
         work.right[i] = work.closing[i + 1]
         for j in range(STAGES):
-            work.matrix[i, j] = step * masses * INTEGRATE[i, j]
+            work.matrix[i, j] = masses * work.slows[i, j]
         work.matrix[i, i] += rods
     good = solve_in_place(work.matrix, work.right, STAGES)
     for i in range(STAGES):
@@ -192,7 +228,7 @@ def _keep(chain, state, record, node, step, work, lost_so_far, stored_change, co
         values[quantity, 0] = previous[quantity, STAGES] if n > 0 else 0.0
     mass = chain.mass_left[node] if chain.mass_left[node] > 0.0 else chain.mass_right[node]
     pushed = -1.0 if chain.mass_left[node] > 0.0 else 1.0
-    gain = pushed / mass if mass > 0.0 else 0.0
+    gain, square = (pushed / mass if mass > 0.0 else 0.0), swings(chain, node)
     values[SPEED, 0], values[PLACE, 0], values[LOST, 0] = state.speed[node], state.place[node], lost_so_far
     for i in range(POINTS):
         values[OUT_LEFT, i] = work.forces[i] - work.from_left[i]
@@ -200,20 +236,21 @@ def _keep(chain, state, record, node, step, work, lost_so_far, stored_change, co
         values[FORCE, i] = work.forces[i]
         values[DEPTH, i] = work.depth[i]
     for i in range(STAGES):
-        left, right, impulse, speed, place, taken = 0.0, 0.0, 0.0, 0.0, step * STAGE_NODES[i] * state.speed[node], 0.0
+        left, right, impulse, taken = 0.0, 0.0, 0.0, 0.0
+        speed, place = _freely(square, state.speed[node], state.place[node], step * STAGE_NODES[i])
         for j in range(STAGES):
             share = step * INTEGRATE[i, j]
             left += share * values[OUT_LEFT, j + 1]
             right += share * values[OUT_RIGHT, j + 1]
             impulse += share * work.forces[j + 1]
-            speed += share * gain * work.forces[j + 1]
-            place += step * step * INTEGRATE_TWICE[i, j] * gain * work.forces[j + 1]
+            speed += gain * work.slows[i, j] * work.forces[j + 1]
+            place += gain * work.shifts[i, j] * work.forces[j + 1]
             taken += share * work.forces[j + 1] * work.rate[j + 1]
         values[TOTAL_LEFT, i + 1] = values[TOTAL_LEFT, 0] + left
         values[TOTAL_RIGHT, i + 1] = values[TOTAL_RIGHT, 0] + right
         values[IMPULSE, i + 1] = values[IMPULSE, 0] + impulse
-        values[SPEED, i + 1] = state.speed[node] + speed
-        values[PLACE, i + 1] = state.place[node] + place
+        values[SPEED, i + 1] = speed
+        values[PLACE, i + 1] = place
         values[LOST, i + 1] = lost_so_far + (taken - stored_change[i] if counts_loss else 0.0)
     record.closed[node, n] = state.closed[node]
     state.time[node] += step
@@ -257,8 +294,10 @@ def _given_force(pulse, t, step, forces):
 
 @inner_kernel
 def prepare(chain, state, record, node, step, work):
-    """Arriving waves and free closing speed of the next step of a node."""
+    """Arriving waves and free closing speed of the next step of a node, and what forces do to the mass beside it."""
     t = state.time[node]
+    if chain.mass_left[node] + chain.mass_right[node] > 0.0:
+        _respond(swings(chain, node), step, work)
     work.from_left[:] = 0.0  # nothing arrives at an end from where no rod is
     work.from_right[:] = 0.0
     if node > 0:
@@ -276,7 +315,7 @@ def prepare(chain, state, record, node, step, work):
         state.seek_right[node] = _arrivals(
             record, node + 1, np.int64(OUT_LEFT), chain.transit[node], t, step, state.seek_right[node], work.from_right
         )
-    _free_closing(chain, state, node, work)
+    _free_closing(chain, state, node, step, work)
 
 
 @inner_kernel
@@ -291,7 +330,7 @@ def simple_forces(chain, state, node, rods, masses, pulse, step, work):
         for i in range(POINTS):
             work.forces[i] = 0.0
     else:
-        good = _bonded_force(rods, masses, step, work)
+        good = _bonded_force(rods, masses, work)
     follow(rods, masses, state.depth[node], step, work)
     return good
 

@@ -9,8 +9,8 @@ import numpy as np
 from ...jit.kernels import inner_kernel, kernel
 from ..parting import WATCHED_PERIODS, reach, swing_and_give
 from .energies import inside, rod_energy
-from .parts import ABSORBING, BONDED
-from .record import IMPULSE, SPEED, TOTAL_RIGHT, integral, sample_at
+from .parts import ABSORBING, opens
+from .record import IMPULSE, PLACE, SPEED, TOTAL_RIGHT, integral, sample_at
 
 TRANSITS = 4.0  # of the whole chain for which no faces may touch at least: a period of one uniform rod that is fixed
 
@@ -30,15 +30,18 @@ def _endless(chain, end):
 @inner_kernel
 def _masses_beside(chain, begin, end):
     """On the first and on the last end of a part; infinite where it is held, or leads on for ever."""
-    near = chain.mass_left[begin] if begin < chain.contact else 0.0
-    if end < chain.kind.size - 1:
+    near, last = chain.mass_left[begin] if begin < chain.contact else 0.0, chain.kind.size - 1
+    if end < last or begin < chain.contact:
         return near, 0.0
-    return near, np.inf if chain.kind[end] == ABSORBING else chain.mass_right[end]
+    return near, np.inf if chain.kind[end] == ABSORBING or chain.spring > 0.0 else chain.mass_right[end]
 
 
 @kernel
 def of_part(chain, begin, end):
     """Longest period of the rods between two nodes as one body, but for one without end, and how its faces give way."""
+    if begin == end:  # a mass without a rod, on a spring perhaps
+        give = 1.0 / chain.spring if chain.spring > 0.0 else 0.0
+        return 2.0 * np.pi * np.sqrt(give * chain.mass_right[end]) if give > 0.0 else 0.0, give, give
     near, far = _masses_beside(chain, begin, end)
     stop = end - 1 if _endless(chain, end) else end
     return swing_and_give(chain.impedance[begin:stop], chain.transit[begin:stop], near, far)
@@ -60,7 +63,7 @@ def patience(chain):
 
 @inner_kernel
 def _part(chain, record, begin, end, t):
-    """The rods between two nodes as one body: mass, velocity as a whole, how far its first and last faces reach."""
+    """What is between two nodes as one body: mass, velocity as a whole, how far its first and last faces reach."""
     near, far = _masses_beside(chain, begin, end)
     stop = end - 1 if _endless(chain, end) else end
     own, momentum, energy, after = near, 0.0, 0.0, np.bool_(True)
@@ -74,6 +77,9 @@ def _part(chain, record, begin, end, t):
             speed = sample_at(record, node, SPEED, t, after)
             momentum += beside * speed
             energy += 0.5 * beside * speed**2
+    if begin == end and chain.spring > 0.0:
+        swinging, bent = sample_at(record, end, SPEED, t, after), sample_at(record, end, PLACE, t, after)
+        energy += 0.5 * chain.mass_right[end] * swinging**2 + 0.5 * chain.spring * bent**2
     _, first, last = of_part(chain, begin, end)
     if far == np.inf:
         gone = 2.0 * np.sqrt(2.0 * max(energy, 0.0) * own) / chain.impedance[stop] if stop < end else 0.0
@@ -83,30 +89,36 @@ def _part(chain, record, begin, end, t):
     return own + far, speed, reach(ringing, first), reach(ringing, last)
 
 
-@inner_kernel
-def clear(chain, record, striker, t):
+@kernel
+def clear(chain, record, first_mass, t):
     """Whether at a time all parts move apart as wholes, and are further apart than their faces reach.
 
-    striker: mass of the impactor. Parts lie between joints that can open.
+    first_mass: of the first part. Parts lie between joints that can open.
     """
-    node, last = chain.contact, chain.kind.size - 1
-    first = chain.drift[0] if node > 0 else chain.mass_drift[0]
-    passed, ahead = integral(record, node, IMPULSE, t), 0.0
-    slower, place = first - sample_at(record, node, IMPULSE, t, np.bool_(True)) / striker, first * t - passed / striker
+    node, last, after = 0, chain.kind.size - 1, np.bool_(True)
+    while node < chain.contact and not opens(chain, node):
+        node += 1
+    drift, passed = chain.drift[0] if node > 0 else chain.mass_drift[0], integral(record, node, IMPULSE, t)
+    slower, ahead = drift - sample_at(record, node, IMPULSE, t, after) / first_mass, 0.0
+    place = drift * t - passed / first_mass
     if node > 0:
         ahead = _part(chain, record, 0, node, t)[3]
-    while node < last:
-        following = node + 1
-        while following < last and chain.kind[following] == BONDED:
+    while True:
+        following = node + 1 if node < last else last
+        while following < last and not opens(chain, following):
             following += 1
         mass, speed, back, front = _part(chain, record, node, following, t)
-        before, there = passed, 0.0
-        passed = integral(record, following, IMPULSE, t) if following < last else 0.0
+        goes_on = following > node and opens(chain, following)
+        there = 0.0
         if mass < np.inf:
-            there = chain.drift[node] * t + (before - passed) / mass
+            there = (chain.drift[node] if node < last else chain.mass_drift[node]) * t + passed / mass
+        passed = integral(record, following, IMPULSE, t) if goes_on else 0.0
+        if mass < np.inf:
+            there -= passed / mass
         elif _endless(chain, following):
             there = sample_at(record, last - 1, TOTAL_RIGHT, t, np.bool_(True)) / chain.impedance[last - 1]
         if speed < slower or chain.gap[node] + there - place <= ahead + back:
             return False
+        if not goes_on:
+            return True
         slower, place, ahead, node = speed, there, front, following
-    return True

@@ -15,7 +15,10 @@ class Chain(NamedTuple):
 
     impedance, transit, drift (rods,): Z, L / c and the velocity before the impact; kind (nodes,); mass_left, mass_right
     (nodes,): a rigid body beside the node, 0 for none, infinite for a wall; mass_drift (nodes,), its first velocity;
-    gap (nodes,): between the faces before the impact; contact: the node that the impactor strikes.
+    gap (nodes,): between the faces before the impact; contact: the node that the impactor strikes; spring: on which the
+    mass beside the last node stands, unbent before the impact, 0 for none; fall: by
+    which its weight accelerates the impactor alone. All of that, left of the contact, is seen from the frame that falls
+    with it.
     """
 
     impedance: np.ndarray
@@ -27,6 +30,20 @@ class Chain(NamedTuple):
     mass_drift: np.ndarray
     gap: np.ndarray
     contact: int
+    spring: float = 0.0
+    fall: float = 0.0
+
+
+@inner_kernel
+def opens(chain, node):
+    """Whether faces meet at a node that can come apart."""
+    return chain.kind[node] == RIGID_FACES or chain.kind[node] == LAW
+
+
+@inner_kernel
+def swings(chain, node):
+    """Square of the frequency with which the mass beside a node swings on its spring; 0 where none does."""
+    return chain.spring / chain.mass_right[node] if chain.spring > 0.0 and node == chain.kind.size - 1 else 0.0
 
 
 @inner_kernel

@@ -71,6 +71,19 @@ def test_it_ends_when_nothing_is_asked_and_is_started_again(compiler, monkeypatc
     assert compiler._process is not first
 
 
+def test_where_nothing_can_be_kept_nobody_waits_for_it(compiler, monkeypatch):
+    """Cache and temporary folder full: it compiled for minutes what was lost at once, and then the worker did."""
+
+    def full(**_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(cache.tempfile, "TemporaryFile", full)
+    compiler.start()
+    assert compiler.ask("solve_frame", IN_SPACE).done() and compiler._process is None
+    monkeypatch.undo()
+    assert cache.can_keep()
+
+
 def test_everything_that_can_be_opened_is_compiled_ahead():
     page = lab.Lab()
     runners = [page._runner, *page._runners.values()]

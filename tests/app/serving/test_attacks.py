@@ -11,7 +11,10 @@ import socket
 import urllib.error
 import urllib.request
 
+import bokeh
+import panel
 import pytest
+import tornado
 from bokeh.util.token import generate_jwt_token, get_session_id
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 
@@ -19,6 +22,7 @@ from app.page.lab import VERSION
 from app.serving.guard import REPORTED, SETTABLE, decide
 from app.serving.limits import MAX_BODY, MAX_REFUSED
 
+from ...patience import SECONDS
 from ..conftest import Page
 from ..socket_client import SocketClient, run
 from .wires import SCRIPT, closed, with_token
@@ -117,7 +121,7 @@ def test_no_model_and_no_property_of_the_document_can_be_set_but_the_choices(ser
                 assert kind == "ERROR", (model, name)
                 assert "Traceback" not in json.dumps({k: v for k, v in content.items() if k != "buffers"})
                 tried += 1
-        assert 50 < tried < MAX_REFUSED  # every one of them, on the wire
+        assert 30 < tried < MAX_REFUSED  # every one of them, on the wire
         client.close()
 
     run(attack())
@@ -205,6 +209,28 @@ def test_odd_paths_are_not_found(server, path):
     connection = http.client.HTTPConnection(*server.split(":"), timeout=20)
     connection.request("GET", path)
     assert connection.getresponse().status in (403, 404)
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["extensions/panel/panel.min.js", "extensions/panel/css/loading.css", "js/bokeh.min.js", "js/lib/core/dom.js"],
+)
+def test_no_files_of_the_libraries_are_served_but_those_of_the_page(server, path):
+    for method in ("GET", "HEAD"):
+        connection = http.client.HTTPConnection(*server.split(":"), timeout=SECONDS)
+        connection.request(method, f"/static/{path}")
+        assert connection.getresponse().status == 404
+
+
+def test_neither_page_nor_document_names_a_version(server):
+    async def opened():
+        client = await SocketClient(server).open("?panel=energy")
+        client.close()
+        return client.html + json.dumps(client.document)
+
+    said = run(opened())
+    assert {version for version in (panel.__version__, bokeh.__version__, tornado.version) if version in said} == set()
+    assert "static/" not in said
 
 
 def test_a_body_that_is_too_long_is_not_read(server):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+import solvers
 from solvers import Balance
 from solvers.numerics import balances
 from solvers.numerics.balance_histories import average, course
@@ -249,3 +250,60 @@ def test_bodies_that_land_without_rebound_on_a_spring_at_rest_stay_together(rati
         struck = scene.with_impactor_mass(scene.target.mass / ratio * last_bits)
         (contact,) = Balance(restitution=0.0, estimate=False).solve(struck).contacts
         assert contact.end > 0.1 * struck.time_unit
+
+
+def _deepest_after(bank: Bank, events: balances.Events, k: int, until: float) -> float:
+    """The greatest overlap in the free flight from an event on, at many instants."""
+    times = np.linspace(0.0, until - events.time[k], 2_000)[1:-1]
+    total = np.zeros(times.size)
+    for omega, w, q, p in zip(bank.frequencies, bank.closing, events.coordinates[k], events.rates[k], strict=True):
+        total += w * (q * np.cos(omega * times) + (p * np.sin(omega * times) / omega if omega else p * times))
+    return float(total.max())
+
+
+GRAZING = (0.06743795737, 0.1373798908, 117.7830295)  # masses, stiffness: they meet within a sixteenth of a period
+
+
+def banks() -> list[tuple[Bank, float]]:
+    """A mass on one oscillator or three, and restitutions: of the first the seventh touch is just missed, or is not."""
+    random = np.random.default_rng(7)
+    striking, struck, stiffness = GRAZING
+    omega, weights = np.array([0.0, np.sqrt(stiffness / struck)]), np.array([striking**-0.5, -(struck**-0.5)])
+    found = [(Bank(omega / omega[-1], weights, -1), e) for e in np.linspace(0.2705, 0.2716, 56)]
+    for count in np.repeat([1, 3], 40):
+        omega, weights = np.sort(random.uniform(1.0, 3.0, count)), -np.sqrt(random.uniform(0.05, 1.0, count))
+        bank = Bank(np.append(0.0, omega), np.append(random.uniform(0.5, 3.0), weights), -1)
+        found.append((bank, float(random.uniform(0.05, 0.95))))
+    return found
+
+
+def test_no_touch_is_skipped_however_short():
+    """Nowhere between two balances, nor after the last, do the faces overlap."""
+    seen = 0
+    for bank, restitution in banks():
+        q, p = np.zeros((2, bank.closing.size))
+        p[0] = 1.0 / bank.closing[0]
+        found, step = balances.events(400, q.size), 2.0 * np.pi / bank.frequencies[-1] / 16.0
+        turn, soft = exact_turn(bank.frequencies, step), 16e-4 * step
+        count, reached = balances.event_located(
+            bank, balances.joined(bank), turn, step, restitution, soft, 30.0, 20.0, q, p, found, room(q)
+        )
+        ends = [*found.time[1:count], max(reached, 30.0)]
+        for k in range(count):
+            if not found.stuck[k]:
+                assert _deepest_after(bank, found, k, ends[k]) < 1e-12
+                seen += 1
+    assert seen > 300
+
+
+def test_a_touch_within_a_sixteenth_of_a_period_is_a_balance():
+    """The seventh overlap lasts 0.04 / omega; right: 25 balances by event location in 60 digits, then together."""
+    scene = solvers.Scene.from_table(
+        {
+            "impactor": {"mass": 0.06743795737, "velocity": 0.02238501444},
+            "target": {"kind": "spring-mass", "mass": 0.1373798908, "stiffness": 117.7830295},
+            "contact": {"law": "rigid"},
+        }
+    )
+    found = Balance(restitution=0.27145938537).solve(scene)
+    assert found.impactor_velocity / scene.speed == approx(-0.298687, abs=1e-6)

@@ -63,6 +63,50 @@ def test_bodies_without_waves_part_with_the_restitution_of_the_law(law):
         assert found.residual_indentation == 0.0
 
 
+STRONG = [
+    ({"law": law} | more, restitution)
+    for law, more in (
+        ("kelvin-voigt", {}),
+        ("hunt-crossley", {}),
+        ("lankarani-nikravesh", {}),
+        ("lee-wang", {"exponent": 1.0}),
+        ("lee-wang", {"exponent": 1.5}),
+    )
+    for restitution in (0.01, 0.02, 0.03)
+]
+
+
+@pytest.mark.parametrize(("law", "restitution"), STRONG)
+@pytest.mark.parametrize("steps", [None, 30_000])
+def test_strong_damping_lets_compact_bodies_touch_once(law, restitution, steps):
+    """The dent closes at the very rate at which the force is zero; beside the law's own integral."""
+    contact = law | {"stiffness": 1e9, "restitution": restitution}
+    scene = between({"mass": 1.0, "velocity": 1.0}, {"kind": "mass", "mass": 3.0}, contact)
+    exact = solvers.solve(scene, "quasi-static")
+    found = Modal(steps=steps).solve(scene)
+    (known,), (contact,) = exact.contacts, found.contacts
+    assert found.diagnostics["raw_contacts"] == 1 and not found.notes
+    # a step of some 200 for the end; the peak is second order in them, but for a jump, which is no matter of steps
+    coarse = steps is None
+    assert contact.end == approx(known.end, rel=2e-3 if coarse else 1e-4)
+    sure = 1e-12 if law["law"] == "kelvin-voigt" else 1e-2 if coarse else 1e-3
+    assert found.peak_force == approx(exact.peak_force, rel=sure)
+
+
+def test_a_force_that_jumps_is_known_at_every_touch():
+    """Not the mean of the first step: C v at the first, and what the faces' rate makes of it at the second."""
+    contact = {"law": "kelvin-voigt", "stiffness": 1e9, "restitution": 0.2}
+    scene = between({"mass": 1.0, "velocity": 1.0}, {"kind": "spring-mass", "mass": 0.3, "stiffness": 1e6}, contact)
+    found = Modal(estimate=False).solve(scene)
+    first, second = found.contacts
+    assert first.peak_force == approx(scene.contact.damping * scene.speed, rel=1e-12)
+    motion = found.known_motion
+    before = second.start - motion.step * np.array([2.0, 4.0])
+    last, earlier = motion.impactor_velocity(before) - motion.end_velocity(before)
+    rate = 2.0 * last - earlier  # on to the touch
+    assert second.peak_force == approx(scene.contact.damping * rate, rel=1e-4)
+
+
 def test_hertz_on_a_half_space_in_closed_form():
     found = Modal(steps=20_000).solve(
         between(BALL | {"velocity": 1.0}, {"kind": "half-space", "material": "steel"}, {"law": "hertz"})

@@ -10,6 +10,7 @@ from scipy.integrate import solve_ivp
 
 import solvers
 from solvers import Scene, SceneError, SceneNotSupported
+from solvers.numerics import ball_chain
 
 CRADLE = solvers.load("newtons-cradle")
 BALL = {"radius": 0.02}
@@ -103,6 +104,46 @@ def test_against_another_integration():
     solution = solvers.solve(scene)
     found = solve_ivp(rates, (0.0, solution.duration), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=2e-6)
     assert final(solution) == approx(found.y[4:, -1], abs=1e-8)
+
+
+@pytest.mark.parametrize("duration", [None, 3.0])
+def test_no_steps_are_spent_while_nothing_touches(duration):
+    """Balls so far apart that they touch two at a time: by the exchange of momentum, some 10 000 contact times."""
+    scene = row({"radius": 0.01}, {"radius": 0.03, "gap": 0.2}, {"radius": 0.005, "gap": 0.08}, radius=0.025)
+    masses = np.array([scene.impactor.mass, *(ball.mass for ball in scene.target.balls)])
+    velocities, place = np.array([scene.impactor.velocity, 0.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.2, 0.28])
+    contacts = 0
+    while (closing := -np.diff(velocities)).max() > 1e-12:
+        near = np.flatnonzero(closing > 1e-12)
+        times = np.diff(place)[near] / closing[near]
+        k, contacts = int(near[times.argmin()]), contacts + 1
+        place = place + velocities * times.min()
+        first, second = masses[k], masses[k + 1]
+        common = (first * velocities[k] + second * velocities[k + 1]) / (first + second)
+        velocities[k], velocities[k + 1] = 2.0 * common - velocities[k], 2.0 * common - velocities[k + 1]
+    found = solvers.solve(scene, duration=duration)
+    assert final(found) == approx(velocities, abs=1e-8)
+    assert len(found.contacts) + sum(len(periods) for periods in found.joints) == contacts > 2
+    assert found.diagnostics["steps"] < 100 * contacts
+    last = max(period.end for periods in (found.contacts, *found.joints) for period in periods)
+    moved = found.known_motion.impactor_position(np.array([found.duration]))[0]
+    assert moved == approx(place[0] + velocities[0] * (found.duration - last), rel=1e-3)
+    assert duration in (None, found.duration)
+
+
+def test_a_touch_that_comes_too_late_is_told():
+    found = solvers.solve(row({"radius": 0.01}, {"radius": 0.03, "gap": 5.0}, radius=0.025))
+    assert [note.code for note in found.notes] == ["not-parted"] and found.duration < 4.0
+
+
+def test_a_row_that_goes_on_is_cut_and_says_so_but_for_a_duration(monkeypatch):
+    whole = solvers.solve(UNLIKE)
+    monkeypatch.setattr(ball_chain, "MAX_STEPS", whole.diagnostics["steps"] // 2)
+    cut = solvers.solve(UNLIKE)
+    assert cut.diagnostics["steps"] == ball_chain.MAX_STEPS and cut.duration < whole.duration
+    assert {note.code for note in cut.notes} & {"not-parted", "still-touching"}
+    asked = solvers.solve(UNLIKE, duration=whole.duration)
+    assert final(asked) == approx(final(whole), abs=1e-9) and not asked.notes
 
 
 def test_a_scene_is_written_back_and_its_result_is_json():

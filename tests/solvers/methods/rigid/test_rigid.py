@@ -249,7 +249,7 @@ def test_a_beam_is_felt_where_it_is_struck(beam, share, restitution):
         assert found.restitution["newton"] is None
     else:
         assert found.target_velocity == approx(before + found.impulse / mass, rel=1e-12)
-    field = found.motion.velocity(np.array([0.1]), np.array([0.15, scene.target.place]))[0]
+    field = found.motion.velocity(np.array([found.duration]), np.array([0.15, scene.target.place]))[0]
     assert field == approx([found.target_velocity, struck], rel=1e-12)
     assert found.restitution["newton_at_contact"] == restitution
     assert found.energy["dissipated"] == approx(0.5 * reduced * (1.0 - restitution**2) * scene.speed**2, rel=1e-12)
@@ -270,7 +270,8 @@ def test_a_beam_may_strike_another():
     reduced = STEEL_ROD_MASS / (1.0 + 2.92)
     assert found.effective_mass == approx(reduced, rel=1e-12)
     assert found.impactor_velocity == approx(1.0 - 2.0 * reduced / STEEL_ROD_MASS, rel=1e-12)
-    assert found.motion.face_velocity(np.array([0.1]))[0] == approx(1.0 - 2.0 * 2.92 * reduced / STEEL_ROD_MASS)
+    face = found.motion.face_velocity(np.array([found.duration]))[0]
+    assert face == approx(1.0 - 2.0 * 2.92 * reduced / STEEL_ROD_MASS)
     assert abs(found.diagnostics["energy_error"]) < 1e-14
 
 

@@ -11,7 +11,7 @@ from solvers import Scene
 from solvers.contact import HuntCrossley
 from solvers.methods.validity import ended_early
 from solvers.methods.waves import chain as wave_chain
-from solvers.methods.waves import chain_solve
+from solvers.methods.waves import chain_grid, chain_solve
 from solvers.methods.waves.chain import ExactHistory
 from solvers.methods.waves.chain_grid import GridHistory, best_steps, rounded
 from solvers.methods.waves.chain_motion import ChainMotion
@@ -168,6 +168,26 @@ def test_a_chain_with_too_many_echoes_is_solved_less_exactly_and_says_so(monkeyp
         assert off <= 2.0 * found.diagnostics["estimated_error"] + whole.diagnostics["estimated_error"]
         assert found.diagnostics["estimated_error"] < 1e-4
         assert len(found.contacts) == len(whole.contacts)
+
+
+@pytest.mark.parametrize("nodes", [3_000, 10_000, 30_000])
+def test_a_first_contact_on_a_grid_that_is_too_coarse_is_solved_anew(nodes, monkeypatch):
+    """Before a rod without end a force may fade for ever, over which a grid is laid that knows nothing of the peak."""
+    scene = struck(0.5, many_echoes(), "anechoic", {"law": "kelvin-voigt", "stiffness": 1e9, "restitution": 0.3})
+    exact = solvers.solve(scene, duration=2e-3).contacts[0]
+    monkeypatch.setattr(wave_chain, "MAX_STRETCHES", 400)
+    monkeypatch.setattr(chain_grid, "NODE_STEPS", nodes)
+    found = solvers.solve(scene)
+    first, estimated = found.contacts[0], found.diagnostics["estimated_error"]
+    assert found.peak_force >= first.peak_force
+    # the end of the first contact is known to a step of the grid that is laid over it
+    sure = estimated + 2.0 * chain_solve.CLOSER * (len(scene.target.rods) + 1) / nodes
+    assert first.peak_force == approx(exact.peak_force, rel=sure)
+    assert first.end == approx(exact.end, rel=sure)
+    history = found.known_motion.force(np.linspace(first.start, first.end, 2_000))
+    off = abs(history.max() / exact.peak_force - 1.0)
+    assert off < 0.01 + sure or "grid-too-coarse" in [note.code for note in found.notes]
+    assert off < estimated + sure
 
 
 @pytest.mark.parametrize("support", ["free", "anechoic"])
