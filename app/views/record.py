@@ -29,7 +29,8 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
 
     `time` [T] and `values` of the record as it lies best on the solution; `computed`: `time` [T] and `model`, what the
     exact solution says of the same place; `recovered`: `time` [T] and `force` [N] from the record alone, moved and
-    scaled like it, or None; `kind`, `trip`, which is T [s], `shift` [s], `scale`, `residual`, `notes`. Values in SI units.
+    scaled like it, or None; `kind`, `trip`, which is T [s], `shift` [s], `scale`, `residual`, `notes`. Values are
+    in SI units.
     """
     request = Request.of(chosen)
     if request.kind == "bodies":
