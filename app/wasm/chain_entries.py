@@ -42,7 +42,7 @@ def chain(
     k = n + 1
     b, f = carray(beside, (9, k + 1)), carray(nodes, (9, k))
     c, yes = carray(counts, (6, k)), carray(flags, (6, k))
-    struck = Chain(b[0][:n], b[1][:n], b[2][:n], c[0], b[3][:k], b[4][:k], b[5][:k], f[7], int(contact), 0.0)
+    struck = Chain(b[0][:n], b[1][:n], b[2][:n], c[0], b[3][:k], b[4][:k], b[5][:k], f[7], int(contact), 0.0, 0.0)
     chain_drawn.place(carray(links, (3, n)), carray(knots, (2, k)), mass, end, int(contact), struck, b[6])
     r, pulse = carray(rows, (8 + 3 * STAGES, NODES)), carray(nothing, (1, 2 + NODES))
     laws = carray(constants, (k, CONSTANTS + 1))

@@ -88,7 +88,7 @@ def law(
     """
     b, f = carray(beside, (8, 3)), carray(nodes, (8, 2))
     n, yes = carray(counts, (6, 2)), carray(flags, (6, 2))
-    chain = Chain(b[0][:1], b[1][:1], b[2][:1], n[0], b[3][:2], b[4][:2], b[5][:2], f[7], 0, 0.0)
+    chain = Chain(b[0][:1], b[1][:1], b[2][:1], n[0], b[3][:2], b[4][:2], b[5][:2], f[7], 0, 0.0, 0.0)
     law_drawn.place(beta, reflection, chain, b[6])
     r, pulse = carray(rows, (8 + 3 * STAGES, NODES)), carray(nothing, (1, 2 + NODES))
     laws = carray(constants, (2, CONSTANTS + 1))

@@ -63,7 +63,7 @@ def miscounted(scene: Scene, contacts: Sequence[ContactPeriod], duration: float,
 
 
 def one_front(scene: Scene) -> bool:
-    """Whether this is St. Venant's problem: a rigid mass against one rod at rest, rigid contact."""
+    """Whether this is St. Venant's problem: a rigid mass against one rod at rest, rigid contact, without weight."""
     rod = scene.target
     return (
         scene.normal is None
@@ -71,7 +71,7 @@ def one_front(scene: Scene) -> bool:
         and isinstance(rod, Rod)
         and scene.rigid_contact
         and rod.support != "anechoic"
-        and rod.velocity == rod.end_mass == 0.0
+        and rod.velocity == rod.end_mass == scene.weight_acceleration == 0.0
     )
 
 

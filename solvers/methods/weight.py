@@ -17,11 +17,11 @@ MAX_LEFT_OUT = 0.01  # of the speed of approach: with more a method that leaves 
 
 def weight_too_large(scene: Scene) -> Note | None:
     """Why a scene is refused by a method without weight; None: so little is left out that a note says all."""
-    share = scene.weight_acceleration * _about_so_long(scene) / scene.speed
+    share = scene.weight_acceleration * about_so_long(scene) / scene.speed
     return Note("refusals.weight", Severity.REFUSAL, share=100.0 * share) if share > MAX_LEFT_OUT else None
 
 
-def _about_so_long(scene: Scene) -> float:
+def about_so_long(scene: Scene) -> float:
     """An impact on what is held [s]: half a swing on what gives way, the contact by itself, and a round trip."""
     bends = math.pi * math.sqrt(scene.impactor.mass * scene.target.softness)
     alone = 0.0 if scene.rigid_contact else contact_time(scene.contact, scene.reduced_mass, scene.speed)

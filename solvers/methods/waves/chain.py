@@ -7,7 +7,7 @@ import numpy as np
 from ...numerics.waves import network as wave_network
 from ...numerics.waves.followed import MILLIONTH, follow
 from ...numerics.waves.laws import law_function, new_work
-from ...numerics.waves.nodes import new_state
+from ...numerics.waves.nodes import new_state, rewind
 from ...numerics.waves.parts import BONDED
 from ...numerics.waves.periods import SILENT, periods
 from ...numerics.waves.record import (
@@ -15,6 +15,7 @@ from ...numerics.waves.record import (
     FORCE,
     IMPULSE,
     highest,
+    integrals,
     new_record,
     sample,
     square_integral,
@@ -23,6 +24,7 @@ from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
 from .chain_scene import ChainHistory, ChainScene
+from .weight import ENDLESS, FLIES, GOES_ON, Falling
 
 STRETCHES = 4_000  # of a node, to begin with
 MAX_STRETCHES = 200_000  # of all nodes together
@@ -63,6 +65,30 @@ class ExactHistory(ChainHistory):
 
     def _follow(self, until: float, tolerance: float) -> int:
         """Run the kernel; how it ended."""
+        if self.chain.fall and not self.asked:
+            return self._let_fall(tolerance)
+        return self._run(until, tolerance)
+
+    def _let_fall(self, tolerance: float) -> int:
+        """Look now and then how it goes, as its weight always brings the impactor back."""
+        falls, until, how = Falling(self.given), 0.0, GOES_ON
+        while how == GOES_ON and until < MAX_ROUND_TRIPS:
+            until = min(until + falls.every, MAX_ROUND_TRIPS)
+            status = self._run(until, tolerance)
+            if status != wave_network.STOPPED:
+                return status
+            how = falls.look(self, until)
+        self.falls = falls
+        if how in (GOES_ON, ENDLESS):
+            return wave_network.STOPPED
+        if how == FLIES and (falls.comes_back or falls.stop > until):
+            if falls.comes_back:
+                self.record.count[:] = 0
+                rewind(self.chain, self.state)
+            self._run(falls.stop, tolerance)
+        return wave_network.PARTED
+
+    def _run(self, until: float, tolerance: float) -> int:
         struck, joints, constants = self.given.kernel_laws()
         laws = law_function(struck), law_function(joints)
         of_law = constants, self.given.plastic, self.given.lossy, self.given.pulse, self.given.masses
@@ -91,6 +117,11 @@ class ExactHistory(ChainHistory):
         out = np.empty(t.size)
         sample(self.record, node, quantity, np.ascontiguousarray(t.ravel()), after, out)
         return out.reshape(t.shape)
+
+    def integrated(self, node: int, quantity: int, t: np.ndarray) -> np.ndarray:
+        out = np.empty(t.size)
+        integrals(self.record, node, quantity, np.ascontiguousarray(t), out)
+        return out
 
     def squares(self, node: int, quantity: int, begin: float, end: float) -> float:
         return square_integral(self.record, node, quantity, begin, end)

@@ -30,6 +30,7 @@ from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
 from .chain_scene import UNKNOWN, ChainHistory, ChainScene
 from .grid_parted import clear
+from .weight import ENDLESS, GOES_ON, Falling
 
 NODE_STEPS = 2_000_000  # of all nodes together: some tenths of a second, 80 MB
 PARTING_CHECKS = 40  # over the time followed, whether the bodies have parted; more cost time, fewer a longer tail
@@ -56,7 +57,8 @@ class GridHistory(ChainHistory):
         self.reach, self.parted, self.faded = min(limit, horizon), False, False
         while True:
             self._march()
-            if self.parted or self.faded or self.reach >= limit:
+            swings_on = self.falls is not None and self.falls.how == ENDLESS
+            if self.parted or self.faded or swings_on or self.reach >= limit:
                 break
             self.reach = min(4.0 * self.reach, limit)
         self.cut = not (self.parted or self.faded or self.asked)
@@ -67,7 +69,9 @@ class GridHistory(ChainHistory):
 
     def _march(self) -> None:
         self._integrals: dict[tuple[int, int], np.ndarray] = {}
+        self.falls = Falling(self.given) if self.given.chain.fall and not self.asked else None
         affordable = int(self.share * NODE_STEPS) // len(self.laws)
+        self._end = affordable
         count, lags = best_steps(self.given.chain, self.reach, affordable, self.trials)
         self.step, self.chain = self.reach / count, rounded(self.given.chain, lags, self.reach / count)
         nodes = len(self.laws)
@@ -87,6 +91,7 @@ class GridHistory(ChainHistory):
         for first, last in zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True):
             wave_grid.march(self.chain, lags, self.step, first, last, *laws, pulse, *state, *kept)
             if not self.asked and (self._has_parted(last) or self._has_faded(last)):
+                last = min(last, self._end)
                 self.reach = last * self.step
                 self.left, self.right, self.force = self.left[:, :last], self.right[:, :last], self.force[:, :last]
                 self.depth, self.lost = self.depth[:, : last + 1], self.lost[:, : last + 1]
@@ -96,6 +101,8 @@ class GridHistory(ChainHistory):
 
     def _has_parted(self, last: int) -> bool:
         """Whether the impactor has been apart for a while, and for good: see `numerics.parting`."""
+        if self.falls:
+            return self._falls_no_more(last)
         wait, longest = patience(self.chain)
         quiet = last - 1 - int(np.flatnonzero(self.force[self.contact, :last])[-1])
         if quiet * self.step < wait:
@@ -107,10 +114,20 @@ class GridHistory(ChainHistory):
         self.doubtful = self.parted and not sure
         return self.parted
 
+    def _falls_no_more(self, last: int) -> bool:
+        """Whether it is seen how what its weight brings back goes on: it flies, or never leaves."""
+        assert self.falls
+        self._integrals.clear()
+        how = self.falls.look(self, last * self.step)
+        self.parted = how not in (GOES_ON, ENDLESS)
+        if self.falls.comes_back:
+            self._end = math.ceil(self.falls.stop / self.step)
+        return how != GOES_ON
+
     def _has_faded(self, last: int) -> bool:
         """Before a rod without end: whether nothing is left to come."""
         looked, before = last * PARTING_CHECKS // self.force.shape[1], self.chain.kind[-1] == ABSORBING
-        if before and looked % (PARTING_CHECKS // 4) == 0:
+        if before and not self.falls and looked % (PARTING_CHECKS // 4) == 0:
             self._integrals.clear()
             self.faded = self.energy_left(last * self.step) < MILLIONTH**2
         return self.faded
@@ -188,6 +205,13 @@ class GridHistory(ChainHistory):
         cell = np.clip(np.floor(places), 0, last - 1).astype(int)
         values = kept[cell] + np.clip(places - cell, 0.0, 1.0) * (kept[cell + 1] - kept[cell])
         return np.where(places >= 0.0, values, 0.0)
+
+    def integrated(self, node: int, quantity: int, t: np.ndarray) -> np.ndarray:
+        kept, places = self._known(node, quantity), self._places(t)
+        sums = _sum(0.5 * self.step * (kept[1:] + kept[:-1]))
+        cell = np.clip(np.floor(places), 0, self.force.shape[1] - 1).astype(int)
+        part, here = places - cell, kept[cell]
+        return sums[cell] + self.step * part * (here + 0.5 * part * (kept[cell + 1] - here))
 
     def squares(self, node: int, quantity: int, begin: float, end: float) -> float:
         places = np.clip(self._places(np.array([begin, end])), 0.0, self.force.shape[1])

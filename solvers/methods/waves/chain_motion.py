@@ -72,20 +72,24 @@ class ChainMotion:
         """Of its face at the contact."""
         t = self._t(time)
         if self.history.contact:
-            return self._length_unit * self._face(self.history.contact - 1, False, t)[0]
-        return self._length_unit * self.history.sampled(0, PLACE, t)
+            return self._length_unit * (self._face(self.history.contact - 1, False, t)[0] + self.history.fallen(t))
+        return self._length_unit * (self.history.sampled(0, PLACE, t) + self.history.fallen(t))
 
     def face_velocity(self, time, after=True):
         """Of the impactor's face at the contact."""
         if self.history.contact:
-            return self.history.speed * self._face(self.history.contact - 1, False, self._t(time), after)[1]
+            t = self._t(time)
+            falling = self._face(self.history.contact - 1, False, t, after)[1]
+            return self.history.speed * (falling + self.history.gained(t))
         return self.impactor_velocity(time, after)
 
     def impactor_velocity(self, time, after=True):
         """Of its centre of mass."""
+        t = self._t(time)
         if self.history.contact:
-            return self.scene.impactor.velocity - self.impulse(time) / self.scene.impactor.mass
-        return self.history.speed * self._mass_velocity(0, self._t(time))
+            falling = self.scene.impactor.velocity + self.history.speed * self.history.gained(t)
+            return falling - self.impulse(time) / self.scene.impactor.mass
+        return self.history.speed * (self._mass_velocity(0, t) + self.history.gained(t))
 
     def end_position(self, time):
         t, contact = self._t(time), self.history.contact
@@ -138,13 +142,22 @@ class ChainMotion:
         moved = np.zeros_like(t) if scene.target.held else target
         rigid = self._as_wholes(t) if scene.target.rods else moved
         impactor = unit * sum(history.rod_energy(rod, t) for rod in range(contact)) + self._mass_energy(0, t)
+        impactor = impactor + self._seen_from_ground(t)
+        fall = history.chain.fall * history.speed / history.trip  # none where that is left out
         return {
             "impactor": impactor,
             "target_rigid": rigid,
             "target_vibration": target - rigid,
             "local": unit * history.stored(t),
             "dissipated": unit * history.dissipated(t),
-        }
+        } | ({"weight": -scene.impactor.mass * fall * self._length_unit * history.middle(t)} if fall else {})
+
+    def _seen_from_ground(self, t: np.ndarray) -> np.ndarray:
+        """Kinetic energy of the impactor, less that in the frame that falls with it [J]."""
+        if not self.history.chain.fall:
+            return np.zeros_like(t)
+        gained = self.history.speed * self.history.gained(t)
+        return self.scene.impactor.mass * gained * (self.impactor_velocity(t * self.history.trip) - 0.5 * gained)
 
     def _mass_energy(self, node: int, t: np.ndarray) -> np.ndarray:
         """Kinetic, of the mass at the first or the last node [J]."""
@@ -213,7 +226,8 @@ class ChainMotion:
         def of_rod(rod, t, place):
             chain, lag = self.history.chain, self.history.chain.transit[rod]
             waves = self.sent(rod, True, t - place) - self.sent(rod, False, t - lag + place)
-            return self.history.speed * (chain.drift[rod] + waves / chain.impedance[rod])
+            gained = self.history.gained(t) if rod < self.history.contact else 0.0
+            return self.history.speed * (chain.drift[rod] + waves / chain.impedance[rod] + gained)
 
         return self._field(time, x, of_rod)
 
@@ -221,6 +235,7 @@ class ChainMotion:
         def of_rod(rod, t, place):
             chain, lag = self.history.chain, self.history.chain.transit[rod]
             moved = self.sent_total(rod, True, t - place) - self.sent_total(rod, False, t - lag + place)
-            return self._length_unit * (chain.drift[rod] * t + moved / chain.impedance[rod])
+            fallen = self.history.fallen(t) if rod < self.history.contact else 0.0
+            return self._length_unit * (chain.drift[rod] * t + moved / chain.impedance[rod] + fallen)
 
         return self._field(time, x, of_rod)

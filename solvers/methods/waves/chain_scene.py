@@ -14,13 +14,26 @@ from ...contact import Linear, Rigid
 from ...numerics.law_functions import constants_of
 from ...numerics.waves.collocation import NODES
 from ...numerics.waves.parts import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
-from ...numerics.waves.record import DEPTH, FORCE, LOST, OUT_LEFT, OUT_RIGHT, POINTS, SPEED, TOTAL_LEFT, TOTAL_RIGHT
+from ...numerics.waves.record import (
+    DEPTH,
+    FORCE,
+    IMPULSE,
+    LOST,
+    OUT_LEFT,
+    OUT_RIGHT,
+    PLACE,
+    POINTS,
+    SPEED,
+    TOTAL_LEFT,
+    TOTAL_RIGHT,
+)
 from ...scene import Scene
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
 from ..parting import MAY_TOUCH_AGAIN
 from ..validity import MAX_TRUSTED_ERROR, NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
+from .weight import Falling
 
 NO_LAW = Linear(1.0)  # where no law is asked for
 UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
@@ -54,6 +67,12 @@ def end_of(body: AnyBody) -> End:
     if last.support == "fixed":
         return End(BONDED, math.inf, 0.0)
     return End(BONDED if last.end_mass else FREE, last.end_mass, last.velocity)
+
+
+def all_bonded(scene: Scene) -> bool:
+    """Whether no rod of either body can come apart from the next: else each would fall, and rest, by itself."""
+    bodies = [body for body in (scene.impactor, scene.target) if isinstance(body, Waveguide)]
+    return all(joint.bonded for body in bodies for joint in body.joints)
 
 
 class ChainScene:
@@ -136,6 +155,7 @@ class ChainScene:
             gap,
             self.contact,
             self.ends[1].spring * self.speed * self.trip / self.force_unit,
+            scene.weight_acceleration * self.trip / self.speed if all_bonded(scene) else 0.0,
         )
 
     def _pulse(self) -> np.ndarray:
@@ -178,11 +198,38 @@ class ChainHistory(ABC):
     touching: bool
     faded: bool  # before a rod without end: nothing is left to come
     doubtful: bool  # the bodies have moved apart, but may touch again
+    falls: Falling | None = None  # how an impact under weight goes, where no end was asked for
 
     def __init__(self, given: ChainScene):
         self.given, self.scene, self.chain = given, given.scene, given.chain
         self.trip, self.speed, self.force_unit = given.trip, given.speed, given.force_unit
         self.rods, self.contact, self.laws = given.rods, given.contact, given.laws
+
+    # --- what falls, seen from the ground: its waves are those in the frame that falls with it ------------------------
+
+    def fallen(self, t: np.ndarray) -> np.ndarray:
+        """By how much its weight alone has moved the impactor [v T]."""
+        return 0.5 * self.chain.fall * t * t
+
+    def gained(self, t: np.ndarray) -> np.ndarray:
+        """By how much its weight alone has sped it up [v]."""
+        return self.chain.fall * t
+
+    def velocity_as_whole(self, t: np.ndarray) -> np.ndarray:
+        """Of the impactor [v], which its weight changes and the contact force."""
+        first = self.chain.drift[0] if self.contact else self.chain.mass_drift[0]
+        return first + self.gained(t) - self.sampled(self.contact, IMPULSE, t) / self.given.striker
+
+    def middle(self, t: np.ndarray) -> np.ndarray:
+        """How far the centre of mass of the impactor has come [v T]."""
+        if not self.contact:
+            return self.sampled(0, PLACE, t) + self.fallen(t)
+        pushed = self.integrated(self.contact, IMPULSE, t) / self.given.striker
+        return self.chain.drift[0] * t + self.fallen(t) - pushed
+
+    def pressing(self, t: float) -> float:
+        """The contact force at the end of the time solved [Z v]."""
+        return float(self.sampled(self.contact, FORCE, np.array([t]), False)[0])
 
     def estimated_error(self, residual: float, unbalanced: float, tolerance: float) -> float:
         """Of the final velocity of the impactor [v]; residual: what energies and momenta miss, unbalanced: momenta."""
@@ -197,6 +244,8 @@ class ChainHistory(ABC):
             return [*found, NEVER_PART if self.touching else TOUCH_ON]
         if self.doubtful:
             return [*found, MAY_TOUCH_AGAIN]
+        if self.falls and not self.cut:
+            return [*found, *self.falls.notes()]
         return found + end_notes(not self.cut, self.touching, False)
 
     @abstractmethod
@@ -206,6 +255,10 @@ class ChainHistory(ABC):
     @abstractmethod
     def sampled(self, node: int, quantity: int, t: np.ndarray, after: bool = True) -> np.ndarray:
         """A kept quantity of a node at times [T]; beyond the end of the time solved, its last value."""
+
+    @abstractmethod
+    def integrated(self, node: int, quantity: int, t: np.ndarray) -> np.ndarray:
+        """A kept quantity of a node, integrated from the beginning to each time [T]."""
 
     @abstractmethod
     def squares(self, node: int, quantity: int, begin: float, end: float) -> float:

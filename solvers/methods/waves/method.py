@@ -19,6 +19,7 @@ from ..options import option, real, whole
 from ..parting import End, may_gain
 from ..validity import MAX_TRUSTED_ERROR
 from .chain_motion import ChainMotion
+from .chain_scene import all_bonded
 from .chain_solve import follow
 from .histories import History, RigidHistory, SteppedHistory
 
@@ -47,6 +48,7 @@ class Waves(Method):
     RESOLUTIONS = ("steps", "tolerance")
     TRUSTED_ERROR = MAX_TRUSTED_ERROR
     PULSES = True
+    WEIGHT = True
 
     def why_not(self, scene: Scene) -> Note | None:
         target = scene.target
@@ -60,6 +62,9 @@ class Waves(Method):
         if len({type(law) for law in joints if law is not None and law.NAME != "rigid"}) > 1:
             return Note("refusals.unlike-joints", Severity.REFUSAL)
         return None
+
+    def takes_weight(self, scene: Scene) -> bool:
+        return all_bonded(scene)
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         begun = clock()

@@ -16,8 +16,8 @@ FAINT_FRONT = 1e-3  # of a front: less of it in a step is rather a bend
 
 
 @inner_kernel
-def _free_closing(chain, node, from_left, from_right, speed):
-    """Mean closing speed of the faces in a step, if they did not press on each other."""
+def _free_closing(chain, node, from_left, from_right, speed, middle):
+    """Mean closing speed of the faces in a step about `middle`, if they did not press on each other."""
     left = right = 0.0
     if node > 0:
         left = chain.drift[node - 1] + 2.0 * from_left / chain.impedance[node - 1]
@@ -27,7 +27,7 @@ def _free_closing(chain, node, from_left, from_right, speed):
         right = chain.drift[node] - 2.0 * from_right / chain.impedance[node]
     elif chain.mass_right[node] > 0.0:
         right = speed
-    return left - right
+    return left - right + (chain.fall * middle if node == chain.contact else 0.0)
 
 
 @inner_kernel
@@ -42,7 +42,7 @@ def _arriving(lags, left, right, node, n):
 
 
 @inner_kernel
-def _parting_front(chain, lags, left, right, force, node, n, speed, give, mean):
+def _parting_front(chain, lags, step, left, right, force, node, n, speed, give, mean):
     """Mean force of rigid faces that a front of tension parts within step n, known by the steps before and after it.
 
     `mean`: of the force that would hold them together: part of the step the force of the step before, then that of the
@@ -53,7 +53,7 @@ def _parting_front(chain, lags, left, right, force, node, n, speed, give, mean):
     if near or n < 2 or n + 1 >= force.shape[1]:
         return plain
     from_left, from_right = _arriving(lags, left, right, node, n + 1)
-    after = _free_closing(chain, node, from_left, from_right, speed) / give
+    after = _free_closing(chain, node, from_left, from_right, speed, step * (n + 1.5)) / give
     before, bend = force[node, n - 1], force[node, n - 1] - force[node, n - 2]
     pressed = before + bend  # as it would go on
     drop = pressed - after
@@ -82,7 +82,7 @@ def march(
             kind, start = chain.kind[node], depth[node, n]
             rods, masses = mobility(chain, node)
             give = rods + 0.5 * step * masses
-            closing = _free_closing(chain, node, from_left, from_right, speed[node])
+            closing = _free_closing(chain, node, from_left, from_right, speed[node], step * (n + 0.5))
             end, push, gone = start + step * closing, 0.0, 0.0
             if kind == ABSORBING:
                 push = from_left
@@ -93,7 +93,8 @@ def march(
             elif kind == RIGID_FACES:
                 push = max(end, 0.0) / (step * give)
                 if start == 0.0:
-                    push = _parting_front(chain, lags, left, right, force, node, n, speed[node], give, closing / give)
+                    known = chain, lags, step, left, right, force
+                    push = _parting_front(*known, node, n, speed[node], give, closing / give)
                 held = step * give * push
                 end = end - held if end < held * (1.0 - 1e-12) else 0.0
             elif kind == LAW:

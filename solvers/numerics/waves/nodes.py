@@ -178,6 +178,8 @@ def _free_closing(chain, state, node, step, work):
         elif chain.mass_right[node] > 0.0:
             right = _freely(square, state.speed[node], state.place[node], step * NODES[i])[0]
         work.closing[i] = left - right
+        if node == chain.contact:  # what falls speeds up as a whole
+            work.closing[i] += chain.fall * (state.time[node] + step * NODES[i])
 
 
 @inner_kernel

@@ -16,7 +16,9 @@ class Chain(NamedTuple):
     impedance, transit, drift (rods,): Z, L / c and the velocity before the impact; kind (nodes,); mass_left, mass_right
     (nodes,): a rigid body beside the node, 0 for none, infinite for a wall; mass_drift (nodes,), its first velocity;
     gap (nodes,): between the faces before the impact; contact: the node that the impactor strikes; spring: on which the
-    mass beside the last node stands, unbent before the impact, 0 for none.
+    mass beside the last node stands, unbent before the impact, 0 for none; fall: by
+    which its weight accelerates the impactor alone. All of that, left of the contact, is seen from the frame that falls
+    with it.
     """
 
     impedance: np.ndarray
@@ -29,6 +31,7 @@ class Chain(NamedTuple):
     gap: np.ndarray
     contact: int
     spring: float = 0.0
+    fall: float = 0.0
 
 
 @inner_kernel

@@ -99,6 +99,13 @@ def integral(record, node, quantity, end):
 
 
 @kernel
+def integrals(record, node, quantity, times, out):
+    """Write what is kept of a node, integrated from the beginning to each of `times`."""
+    for k in range(times.size):
+        out[k] = integral(record, node, quantity, times[k])
+
+
+@kernel
 def highest(record, node, quantity, first, last):
     """The largest value in the stretches first to last of a node, by golden section between the samples."""
     best = 0.0

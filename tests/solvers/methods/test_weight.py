@@ -367,4 +367,4 @@ def test_auto_takes_a_method_with_weight():
     assert found.energy["weight"] != 0.0
     assert solvers.solve(scene).method["name"] == "waves"  # so little that a note says all
     slow = scene.replace({"impactor.height": 1e-4})
-    assert solvers.usual_method(slow) == "modal"
+    assert solvers.usual_method(slow) == "waves" and solvers.solve(slow).energy["weight"] != 0.0

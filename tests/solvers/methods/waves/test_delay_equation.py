@@ -11,10 +11,13 @@ from solvers import Scene, Waves
 from tests.catalog import T, bronze_rod, contact_table, struck_rod
 
 
-def reference_impact_on_a_fixed_rod(beta: float) -> tuple[list[list[float]], float]:
+def reference_impact_on_a_fixed_rod(
+    beta: float, fall: float = 0.0, until: float = math.inf
+) -> tuple[list[list[float]], float]:
     """Contacts (start, end) / T and final velocity / v, by the method of steps with DOP853.
 
-    Touching: v1' = -2 beta (v1 + 2 s_in), s = v1 + s_in; apart: gap' = v1 + 2 s_in, s = -s_in; s_in(t) = s(t - 1).
+    Touching: v1' = g - 2 beta (v1 + 2 s_in), s = v1 + s_in; apart: gap' = v1 + 2 s_in, s = -s_in; s_in(t) = s(t - 1);
+    g: `fall` [v / T].
     """
     pieces = []  # (start, end, s)
 
@@ -34,8 +37,8 @@ def reference_impact_on_a_fixed_rod(beta: float) -> tuple[list[list[float]], flo
 
     t, v1, gap, touching = 0.0, 1.0, 0.0, True
     contacts, breaks = [[0.0, math.nan]], {1.0}
-    while touching or v1 > 0.0 or t < contacts[-1][1] + 2.0:
-        following = min(b for b in breaks if b > t + 1e-13)
+    while t < until and (until < math.inf or touching or v1 > 0.0 or t < contacts[-1][1] + 2.0):
+        following = min(until, *(b for b in breaks if b > t + 1e-13))
         breaks.add(following + 1.0)
         if touching:
 
@@ -43,7 +46,7 @@ def reference_impact_on_a_fixed_rod(beta: float) -> tuple[list[list[float]], flo
                 return y[0] + 2.0 * sent(t - 1.0)
 
             pressure.direction = -1
-            run = integrate(lambda t, y: [-2.0 * beta * pressure(t, y)], t, following, [v1], pressure)
+            run = integrate(lambda t, y: [fall - 2.0 * beta * pressure(t, y)], t, following, [v1], pressure)
             end, v1 = float(run.t[-1]), float(run.y[0, -1])
             pieces.append((t, end, lambda t, mass=run.sol: float(mass(t)[0]) + sent(t - 1.0)))
         else:
@@ -52,9 +55,8 @@ def reference_impact_on_a_fixed_rod(beta: float) -> tuple[list[list[float]], flo
                 return y[0]
 
             gap_closes.direction = 1
-            speed = v1
-            run = integrate(lambda t, y, v=speed: [v + 2.0 * sent(t - 1.0)], t, following, [gap], gap_closes)
-            end, gap = float(run.t[-1]), float(run.y[0, -1])
+            run = integrate(lambda t, y: [y[1] + 2.0 * sent(t - 1.0), fall], t, following, [gap, v1], gap_closes)
+            end, (gap, v1) = float(run.t[-1]), run.y[:, -1].tolist()
             pieces.append((t, end, lambda t: -sent(t - 1.0)))
         t = end
         if run.status == 1:  # an event, and it will return
@@ -85,7 +87,7 @@ def test_the_independent_integration_sees_second_contacts():
 def reference_first_contact(scene: Scene) -> tuple[float, float, float]:
     """End of the first contact [s], velocity then [m/s] and peak force [N], of an elastic law.
 
-    x1' = v1, v1' = -F / m1, u' = (F + 2 sum_k r^k F(t - k T)) / Z with r = +1 free, -1 fixed: the whole rod.
+    x1' = v1, v1' = g - F / m1, u' = (F + 2 sum_k r^k F(t - k T)) / Z with r = +1 free, -1 fixed: the whole rod.
     """
     law, rod, m1 = scene.contact, scene.target, scene.impactor.mass
     trip, r = rod.round_trip_time, -1.0 if rod.fixed else 1.0
@@ -99,7 +101,7 @@ def reference_first_contact(scene: Scene) -> tuple[float, float, float]:
     def rate(t, y):
         force = law.force(y[0] - y[2], 0.0, 0.0)
         echoes = sum(r**k * force_at(t - k * trip) for k in range(1, len(runs) + 1) if t > k * trip)
-        return [y[1], -force / m1, (force + 2.0 * echoes) / rod.impedance]
+        return [y[1], scene.weight_acceleration - force / m1, (force + 2.0 * echoes) / rod.impedance]
 
     def parting(t, y):
         return y[0] - y[2]
