@@ -255,6 +255,7 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
     if not isinstance(target, Waveguide) or not isinstance(motion, SendsWaves):
         return [], {}
     trip, reach = scene.time_unit, exact.duration / scene.time_unit
+    fall = scene.weight_acceleration * trip / scene.speed if "weight" in exact.energy else 0.0
     first = len(bodies) - len(target.rods)
     joints = [None, *_joined(scene.impactor)[::-1], *([None] if first else []), *_joined(target)]
     mirrored = len(bodies) == 1 and bodies[0].support != "anechoic" and not bodies[0].end_mass
@@ -272,6 +273,7 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
                 "drift": body.velocity / scene.speed,
                 "area": body.area / target.area,
                 "joint": joints[number],
+                **({"fall": fall} if fall and number < first else {}),
                 "mirror": (1 if body.fixed else -1) if mirrored else 0,
             }
         )

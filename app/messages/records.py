@@ -191,6 +191,7 @@ RECORDS: dict[str, Fields] = {
         "transit": Field("number", "[T]"),
         "impedance": Field("number", "[Z]"),
         "drift": Field("number", "velocity before the impact [v]"),
+        "fall": Field("number", "by which its weight speeds it up [v / T]", True),
         "area": Field("number", "over that of the struck rod"),
         "joint": Field("'bonded' | 'touching' | null", "with the rod before it"),
         "mirror": Field("-1 | 0 | 1", "what its far end makes of a wave: turns over, sends its own, sends back"),

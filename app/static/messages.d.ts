@@ -198,6 +198,7 @@ export interface RodRecord {
   /** [T] */ transit: number;
   /** [Z] */ impedance: number;
   /** velocity before the impact [v] */ drift: number;
+  /** by which its weight speeds it up [v / T] */ fall?: number;
   /** over that of the struck rod */ area: number;
   /** with the rod before it */ joint: 'bonded' | 'touching' | null;
   /** what its far end makes of a wave: turns over, sends its own, sends back */ mirror: -1 | 0 | 1;

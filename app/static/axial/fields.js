@@ -239,13 +239,14 @@ export class WaveField extends Field {
   #sum(out, t, what, add) {
     const apart = (this.to - this.from) / (out.length - 1);
     let first = 0;
-    for (const [r, { area, drift, f, from, g, impedance, to, transit }] of this.rods.entries()) {
+    for (const [r, { area, drift, f, fall = 0, from, g, impedance, to, transit }] of this.rods.entries()) {
       const within = r === this.rods.length - 1 ? out.length : Math.floor((to - this.from) / apart) + 1;
       const last = Math.max(Math.min(within, out.length), first);
       const pace = transit / (to - from);
       const late = (this.from + first * apart - from) * pace;
       const step = apart * pace;
-      out.fill(what === 'stress' ? 0 : what === 'velocity' ? drift : drift * t, first, last);
+      const whole = what === 'velocity' ? drift + fall * t : (drift + 0.5 * fall * t) * t;
+      out.fill(what === 'stress' ? 0 : whole, first, last);
       const factor = 1 / (what === 'stress' ? area : impedance);
       add(f, { first, last, start: t - late, step: -step }, factor);
       add(g, { first, last, start: t - transit + late, step }, what === 'stress' ? factor : -factor);
@@ -302,12 +303,12 @@ export class WaveField extends Field {
  * @param {number} t
  * @param {number} late
  */
-function valueIn({ area, drift, f, g, impedance, transit }, what, t, late) {
+function valueIn({ area, drift, f, fall = 0, g, impedance, transit }, what, t, late) {
   const [there, back] = [t - late, t - transit + late];
-  if (what === 'displacement') return drift * t + (f.total(there) - g.total(back)) / impedance;
+  if (what === 'displacement') return (drift + 0.5 * fall * t) * t + (f.total(there) - g.total(back)) / impedance;
   const right = what === 'left' ? 0 : f.sharp(there);
   const left = what === 'right' ? 0 : g.sharp(back);
-  return what === 'velocity' ? drift + (right - left) / impedance : (right + left) / area;
+  return what === 'velocity' ? drift + fall * t + (right - left) / impedance : (right + left) / area;
 }
 
 /**

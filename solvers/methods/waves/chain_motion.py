@@ -143,14 +143,14 @@ class ChainMotion:
         rigid = self._as_wholes(t) if scene.target.rods else moved
         impactor = unit * sum(history.rod_energy(rod, t) for rod in range(contact)) + self._mass_energy(0, t)
         impactor = impactor + self._seen_from_ground(t)
-        fall, mass = scene.weight_acceleration, scene.impactor.mass
+        fall = history.chain.fall * history.speed / history.trip  # none where that is left out
         return {
             "impactor": impactor,
             "target_rigid": rigid,
             "target_vibration": target - rigid,
             "local": unit * history.stored(t),
             "dissipated": unit * history.dissipated(t),
-        } | ({"weight": -mass * fall * self._length_unit * history.middle(t)} if fall else {})
+        } | ({"weight": -scene.impactor.mass * fall * self._length_unit * history.middle(t)} if fall else {})
 
     def _seen_from_ground(self, t: np.ndarray) -> np.ndarray:
         """Kinetic energy of the impactor, less that in the frame that falls with it [J]."""

@@ -69,6 +69,12 @@ def end_of(body: AnyBody) -> End:
     return End(BONDED if last.end_mass else FREE, last.end_mass, last.velocity)
 
 
+def all_bonded(scene: Scene) -> bool:
+    """Whether no rod of either body can come apart from the next: else each would fall, and rest, by itself."""
+    bodies = [body for body in (scene.impactor, scene.target) if isinstance(body, Waveguide)]
+    return all(joint.bonded for body in bodies for joint in body.joints)
+
+
 class ChainScene:
     """What the kernels take of a scene."""
 
@@ -143,12 +149,13 @@ class ChainScene:
             np.array([0.5 * rod.round_trip_time for rod in self.rods]) / self.trip,
             np.array([rod.velocity for rod in self.rods]) / self.speed,
             kind,
-            *masses,
+            masses[0],
+            masses[1],
             drift,
             gap,
             self.contact,
             self.ends[1].spring * self.speed * self.trip / self.force_unit,
-            scene.weight_acceleration * self.trip / self.speed,
+            scene.weight_acceleration * self.trip / self.speed if all_bonded(scene) else 0.0,
         )
 
     def _pulse(self) -> np.ndarray:

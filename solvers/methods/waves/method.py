@@ -19,6 +19,7 @@ from ..options import option, real, whole
 from ..parting import End, may_gain
 from ..validity import MAX_TRUSTED_ERROR
 from .chain_motion import ChainMotion
+from .chain_scene import all_bonded
 from .chain_solve import follow
 from .histories import History, RigidHistory, SteppedHistory
 
@@ -63,9 +64,7 @@ class Waves(Method):
         return None
 
     def takes_weight(self, scene: Scene) -> bool:
-        """Where all joints are bonded: of rods that may come apart each would stand in a state of its own before."""
-        bodies = [body for body in (scene.impactor, scene.target) if isinstance(body, Waveguide)]
-        return all(joint.bonded for body in bodies for joint in body.joints)
+        return all_bonded(scene)
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         begun = clock()
@@ -143,7 +142,9 @@ class Waves(Method):
             residual, abs(diagnostics["momentum_error"]), tolerance
         )
         if history.doubtful:
-            diagnostics["estimated_error"] += may_gain(scene, found, End.MAY_TOUCH)
+            left = history.energy_left(history.reach) * scene.initial_energy - found["energy"]["impactor"]
+            still = {"energy": found["energy"] | {"target_vibration": min(found["energy"]["target_vibration"], left)}}
+            diagnostics["estimated_error"] += may_gain(scene, found | still, End.MAY_TOUCH)
         return Solution(
             scene=scene,
             method=self.table(),
