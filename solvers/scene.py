@@ -33,7 +33,7 @@ from .contact.duration import contact_time
 from .contact.protocol import Law
 from .contact_table import chain_laws, read_contact_normal, read_joint_laws, read_law
 from .numerics.rigid import impulses
-from .validation import SceneError, allowed, told
+from .validation import SceneError, allowed, bound_beside
 
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles resolve nothing
 LONGEST_NOTE = 600  # characters
@@ -392,5 +392,5 @@ def _check_masses(impactor: AnyBody, target: AnyBody) -> None:
     ratio = target.mass / impactor.mass
     if not 1.0 / LARGEST_MASS_RATIO <= ratio <= LARGEST_MASS_RATIO and ratio != math.inf:
         low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
-        bounds = {name: told(bound, impactor.mass, 3) for name, bound in (("low", low), ("high", high))}
+        bounds = {name: bound_beside(bound, impactor.mass, 3) for name, bound in (("low", low), ("high", high))}
         raise SceneError("impactor.mass", impactor.mass, allowed("impactor-mass", **bounds))

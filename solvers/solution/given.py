@@ -1,10 +1,10 @@
-"""What energy was given besides that before the impact, of which shares are told, and whether it adds up."""
+"""What energy was given besides that before the impact, of which shares are shown, and whether it adds up."""
 
 from collections.abc import Mapping
 from typing import Any
 
 SOURCES = ("drives", "weight")  # what may give energy: negative then, else what has gone there
-LARGEST_GAP = 1e-2  # of the energy, with which shares of it are told
+LARGEST_GAP = 1e-2  # of the energy, with which shares of it are shown
 
 
 def given(energy: Mapping[str, float]) -> dict[str, float]:

@@ -106,9 +106,9 @@ export class Story {
     const asks = text('axial.one-number', { waves: frame.rods.length > 0 });
     this.asks.textContent = frame.exact.sudden ? text('axial.one-impulse') : asks;
     this.match.replaceChildren(...this.#match());
-    const told = toldOf(frame);
-    if (booksOpen(told)) showOpenBooks(this.energy, told);
-    else showEnergy(this.energy, told.energy, frame.rods.length ? ENERGIES : WITHOUT_WAVES);
+    const found = toldOf(frame);
+    if (booksOpen(found)) showOpenBooks(this.energy, found);
+    else showEnergy(this.energy, found.energy, frame.rods.length ? ENERGIES : WITHOUT_WAVES);
     this.warn();
     this.tell();
   }

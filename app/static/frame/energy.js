@@ -6,7 +6,7 @@ import { figures, percent, unbroken } from '../text/format.js';
 /** @import { Energies } from '../messages.js' */
 
 const LEAST_SHARE = 5e-5; // of the energy, that is worth a word
-const LEAST_GAP = 1e-3; // of the energy, that is told: with less it is the momentum that does not add up
+const LEAST_GAP = 1e-3; // of the energy, that is said: with less it is the momentum that does not add up
 const LARGEST_GAP = 1e-2; // of the energy, with which shares of it are drawn
 
 /**
@@ -48,9 +48,9 @@ export function givenOf(energy) {
  */
 export function showEnergy(root, energy, names, always = false) {
   const { drives, weight, whole } = givenOf(energy);
-  const told = (/** @type {number} */ part) => part >= LEAST_SHARE * whole;
-  const joules = always || told(drives) || told(weight);
-  const shown = names.filter(([key]) => told(energy[key] ?? 0));
+  const shows = (/** @type {number} */ part) => part >= LEAST_SHARE * whole;
+  const joules = always || shows(drives) || shows(weight);
+  const shown = names.filter(([key]) => shows(energy[key] ?? 0));
   const bar = make('div', { className: 'bar' });
   const parts = shown.map(([key, name]) => {
     const share = energy[key] / whole;
@@ -61,7 +61,7 @@ export function showEnergy(root, energy, names, always = false) {
     const size = joules ? `${figures(energy[key])} J (${percent(share)})` : percent(share);
     return make('span', { className: 'key' }, chip, unbroken(`${name} ${size}`));
   });
-  const before = { initial: `${figures(energy.initial)} J`, driven: told(drives), falls: told(weight) };
+  const before = { initial: `${figures(energy.initial)} J`, driven: shows(drives), falls: shows(weight) };
   const given = { drives: `${figures(drives)} J`, weight: `${figures(weight)} J` };
   const total = joules ? [make('p', { textContent: text('story.energy-before', { ...before, ...given }) })] : [];
   root.replaceChildren(...total, bar, make('p', {}, ...parts));
