@@ -11,7 +11,7 @@ from ..scene import Scene
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 
-PARTS = 4  # of the time so far, in the last of which a body at rest does not move
+PARTS = 4  # of the time so far, in the last of which a body at rest does not move; of a period, how often is looked
 MAX_LEFT_OUT = 0.01  # of the speed of approach: with more a method that leaves weight out refuses the scene
 
 

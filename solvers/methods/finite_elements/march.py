@@ -28,7 +28,7 @@ from ..validity import (
     notes_on_front,
     notes_on_rigid_impact,
 )
-from ..weight import comes_to_rest, flights, is_at_rest, moved
+from ..weight import PARTS, comes_to_rest, flights, is_at_rest, moved
 from .motion import Course, ElementMotion
 
 # Of the shortest contact there can be. With fewer the peak force is off by more than the mesh is; orders:
@@ -39,7 +39,7 @@ EXPLICIT_LIMIT_SHARE = 0.8
 # Unless more are asked for. Fewer, and long impacts are solved more coarsely, at which the energy is kept all the same.
 MAX_USUAL_STEPS = 60_000
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
-MOST_CHUNKS = 200  # of what stays within reach under its weight
+MOST_CHUNKS = 800  # of what stays within reach under its weight
 SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes
 SETTLED_ERROR = 1e-3  # estimated; with less, many contacts by a law are well determined all the same
@@ -299,7 +299,8 @@ class Plan:
         period = 2.0 * max(trips)
         most = int(min(MAX_STEPS, MAX_ROUND_TRIPS * scene.time_unit / fine, stride * MOST_NUMBERS // nodes))
         most = count or stride * max(1, most // stride)
-        chunk = count or stride * math.ceil(period / fine / stride)
+        looked = period / PARTS if scene.weight_acceleration else period
+        chunk = count or stride * math.ceil(looked / fine / stride)
         return cls(fine, count, most, chunk, stride)
 
 
@@ -362,7 +363,8 @@ def follow(scene: Scene, plan: Plan, march: March) -> tuple[Any, int, End]:
 def _under_weight(scene: Scene, plan: Plan, march: March, record: Any, done: int) -> End | None:
     """How a march of what weight brings back has ended by this instant; None: it has not."""
     pushes = march.pushes(record, done)
-    if flights(scene, plan.step, pushes, march.masses[0]).size:
+    beyond = pushes[-1] == 0.0 and march.room(record, done) > 0.0  # of what rings now: losses ring no more
+    if beyond or flights(scene, plan.step, pushes, march.masses[0]).size:
         return End.PARTED
     velocity = moved(scene, plan.step, pushes, march.masses[0])[0]
     rests = is_at_rest(scene, velocity, float(pushes[-1]) / plan.step)

@@ -144,7 +144,8 @@ class FeNodal(FiniteElements):
 
         def room(record, instant):
             snapshot = instant // stride
-            return _room(bodies, meshes, record.displacement[snapshot], record.velocity[snapshot])
+            fallen = 0.5 * fall * (snapshot * stride * step) ** 2  # as seen from the frame of the march
+            return _room(bodies, meshes, record.displacement[snapshot], record.velocity[snapshot]) - fallen
 
         def pushes(record, instant):
             return np.diff(record.impulse[: instant + 1])
