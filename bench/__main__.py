@@ -37,6 +37,7 @@ from . import (
     visitors,
     waves,
 )
+from .size import small
 
 PARTS = {
     "startup": startup,
@@ -96,9 +97,16 @@ def written(stored: dict[str, dict[str, object]]) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", choices=list(PARTS), help=f"one part; default: all but {', '.join(IF_ASKED)}")
-    only = parser.parse_args().only
+    parser.add_argument("--small", action="store_true", help="little of each, to see that it runs; nothing is stored")
+    asked = parser.parse_args()
     shorten()
-    parts = [only] if only else [part for part in PARTS if part not in IF_ASKED]
+    parts = [asked.only] if asked.only else [part for part in PARTS if part not in IF_ASKED]
+    if asked.small:
+        with small():
+            for part in parts:
+                print(f"\n== {part}")
+                PARTS[part].measure()
+        return
     stored = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
     where = machine() | {"date": str(date.today()), "commit": _commit()}
     print("Measured with:", ", ".join(f"{key} {value}" for key, value in where.items()))

@@ -26,6 +26,7 @@ from solvers.accuracy.three_solves import measured
 from solvers.provenance import machine
 
 from .random_scenes import random_scene
+from .size import of, some
 from .timing import row
 
 FIRST, OTHER_FIRST, BEAM_FIRST = 90_000, 90_500, 90_700  # seeds
@@ -33,19 +34,24 @@ SCENES, OTHER_SCENES, BEAM_SCENES = 500, 100, 60
 COST_FIRST, COST_SCENES, COST_OTHER_FIRST, COST_OTHER_SCENES = 5000, 32, 6000, 8  # fitted to; and to see how it fits
 COST_BEAMS = 0.4  # share of them
 CLOSED_SCENES = 300  # more, of which only closed forms are solved: one level each
-LONGEST = 0.4  # s of a solve that the constants of cost are fitted to
+LONGEST, LITTLE = 0.4, 0.01  # s of a solve that the constants of cost are fitted to; of a small run
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001, 1e-4)
 QUANTITIES = ("rebound", "impulse", "peak-force", "force-history", "contact-time")
-ELEMENTS, FINER, MOST_STEPS = 400, 8, 400_000  # of the reference on beams; times the steps of half the elements
+ELEMENTS, FINER, MOST_STEPS, LITTLE_STEPS = (
+    400,
+    8,
+    400_000,
+    20_000,
+)  # of the reference on beams; times the steps of half the elements
 EXACT = 1e-9  # errors below it are as good as none, estimated or true
 WITHOUT_WAVES = tuple(name for name in solvers.METHODS if name != "waves")
 
 
 def measure() -> dict[str, object]:
     """Run `make tables` before, if a method has become quicker or slower: it renews costs.json."""
-    found = rate("all methods", _scenes(FIRST, SCENES), None)
-    found |= rate("without waves", _scenes(OTHER_FIRST, OTHER_SCENES), WITHOUT_WAVES)
-    return found | rate("beams", _scenes(BEAM_FIRST, BEAM_SCENES, beams=1.0), None)
+    found = rate("all methods", _scenes(FIRST, of(SCENES, 2)), None)
+    found |= rate("without waves", _scenes(OTHER_FIRST, of(OTHER_SCENES, 1)), WITHOUT_WAVES)
+    return found | rate("beams", _scenes(BEAM_FIRST, of(BEAM_SCENES, 1), beams=1.0), None)
 
 
 def _scenes(first: int, count: int, beams: float = 0.0) -> Iterable[solvers.Scene]:
@@ -72,7 +78,7 @@ def costs_of(scenes: Iterable[solvers.Scene], closed: bool = False) -> Iterator[
                     taken, solution = _timed(level.without_estimate(), scene)
                     table = level.table()
                     yield Cost(kinds(table, scene), taken, solution.diagnostics["steps"], work_size(table))
-                    if taken > LONGEST / 4.0:
+                    if taken > of(LONGEST, LITTLE) / 4.0:
                         break
 
 
@@ -120,10 +126,10 @@ def _fitted(terms: np.ndarray, time: np.ndarray) -> np.ndarray:
 
 def costs_foretold(every: int = 1) -> dict[str, object]:
     """How near the stored constants are on this machine, calibrated, on scenes that they were not fitted to."""
-    calibration.calibrate()
+    calibration.calibrate(of(calibration.SECONDS, 0.02))
     known = stored_costs()["seconds"]
     off = []
-    for cost in costs_of(list(_scenes(COST_OTHER_FIRST, COST_OTHER_SCENES, COST_BEAMS))[::every]):
+    for cost in costs_of(some(list(_scenes(COST_OTHER_FIRST, COST_OTHER_SCENES, COST_BEAMS))[::every])):
         if cost.kinds[0] in known:
             off.append(cost.seconds / expected_of(cost.kinds, cost.steps, cost.size))
     shares = [100.0 * float(np.mean(np.abs(np.log(off)) <= np.log(factor))) for factor in (2.0, 2.5)]
@@ -142,7 +148,7 @@ def _timed(method: solvers.Method, scene: solvers.Scene) -> tuple[float, solvers
     """Shortest of some warm solves, and what they give."""
     method.solve(scene)
     times = []
-    while len(times) < 3 and sum(times) < 0.1:
+    while len(times) < of(3, 1) and sum(times) < 0.1:
         begun = thread_time()  # what else runs on the machine does not count
         solution = method.solve(scene)
         times.append(thread_time() - begun)
@@ -261,5 +267,5 @@ def exact(scene: solvers.Scene) -> Exact:
     if waves.refusal(scene) is None:
         return Exact(waves.solve(scene), None)
     steps = FINER * solvers.FeNodal(elements=ELEMENTS // 2, estimate=False).solve(scene).diagnostics["steps"]
-    elements = solvers.FeNodal(elements=ELEMENTS, steps=min(steps, MOST_STEPS), estimate=False)
+    elements = solvers.FeNodal(elements=ELEMENTS, steps=min(steps, of(MOST_STEPS, LITTLE_STEPS)), estimate=False)
     return Exact(elements.solve(scene), solvers.Modal(modes=1600, estimate=False).solve(scene))

@@ -8,6 +8,7 @@ import numpy as np
 import solvers
 from solvers import FeNodal, Modal, Scene, Waves
 
+from .size import some
 from .timing import processor_times, row
 
 UPPER = 3  # levels of a ladder by which its exponent is fitted: below, what every solve costs still shows
@@ -67,7 +68,8 @@ def ladders() -> dict[str, tuple[str, Sequence[int], Callable[[int], object]]]:
 
 def measure() -> dict[str, object]:
     rows = []
-    for name, (unit, levels, solve) in ladders().items():
+    for name, (unit, every, solve) in ladders().items():
+        levels = some(every, UPPER)
         times = processor_times([partial(solve, n) for n in levels])
         rows += [row(f"{name}: {n}", 1e3 * spent, "ms") for n, spent in zip(levels, times, strict=True)]
         rows += _fitted(name, unit, np.array(levels, float), np.array(times), TARGET)
@@ -76,13 +78,14 @@ def measure() -> dict[str, object]:
 
 def _chains() -> list:
     """Every end and joint steps by its own clock, so that it costs what happens there, not that it is there."""
-    scenes = [chain(rods) for rods in CHAINS]
+    counts = some(CHAINS, UPPER)
+    scenes = [chain(rods) for rods in counts]
     duration = MANY_TRIPS * scenes[0].time_unit
     times = np.array(processor_times([partial(LOOSE.solve, scene, duration) for scene in scenes]))
     steps = np.array([LOOSE.solve(scene, duration).diagnostics["steps"] for scene in scenes])
     name = "waves in a chain"
-    rows = [row(f"{name}: {rods} rods", 1e3 * spent, "ms") for rods, spent in zip(CHAINS, times, strict=True)]
-    rows += _fitted(f"{name}: rods", "rod", np.array(CHAINS, float), times, "<= 1.15")
+    rows = [row(f"{name}: {rods} rods", 1e3 * spent, "ms") for rods, spent in zip(counts, times, strict=True)]
+    rows += _fitted(f"{name}: rods", "rod", np.array(counts, float), times, "<= 1.15")
     over_steps = float(np.polyfit(np.log(steps), np.log(times), 1)[0])
     return [
         *rows,

@@ -22,9 +22,11 @@ from solvers.numerics.oscillators import Record, Residual, march, oscillator_ban
 from solvers.numerics.waves import rigid as rigid_waves
 from solvers.numerics.waves import stepped as stepped_waves
 
+from .size import of, some
 from .timing import median, paired_medians, row
 
 STEPS = 4000
+EXTREMES = ((1, 1e6, 100_000), (10, 1.0, 100_000), (100, 1e6, 10_000), (1000, 1e-6, 1000))  # modes, stiffness, steps
 
 
 @kernel
@@ -78,11 +80,12 @@ def bounce(law, step, steps):
 def laws() -> list:
     """Energy created by each law over ten million steps, of which each may round by 1e-16, and the time of one."""
     rows = []
-    for name, law in BOUNCING.items():
+    steps = of(LAW_STEPS, 1_000)
+    for name, law in some(BOUNCING).items():
         bounce(law, LAW_STEP, 10)
         begun = perf_counter()
-        created, missing = bounce(law, LAW_STEP, LAW_STEPS)
-        spent = 1e9 * (perf_counter() - begun) / LAW_STEPS
+        created, missing = bounce(law, LAW_STEP, steps)
+        spent = 1e9 * (perf_counter() - begun) / steps
         rows.append(row(f"law {name}, 1e7 steps: energy created", max(created, 0.0), "of all put in", "<= 1e-9"))
         rows.append(row(f"law {name}, 1e7 steps: energy not accounted for", missing, "of all put in", "<= 1e-9"))
         rows.append(row(f"law {name}: per step", spent, "ns"))
@@ -123,7 +126,7 @@ def _modal() -> list:
     rows = []
     scene = solvers.load("fixed-rod")
     rod = scene.target
-    for modes in (50, 100, 200, 400, 1000):
+    for modes in some((50, 100, 200, 400, 1000)):
         known = rod.modes(modes)
         step = 3.0 * rod.round_trip_time / STEPS
         bank = oscillator_bank(known.frequencies, known.at_contact, step)
@@ -170,7 +173,7 @@ def _accuracy() -> list:
     rows = []
     scene = solvers.load("fixed-rod")
     exact = solvers.solve(scene)
-    for modes in (20, 50, 100, 400):
+    for modes in some((20, 50, 100, 400)):
         found = solvers.solve(scene, "modal", modes=modes)
         error = abs(found.impactor_velocity / exact.impactor_velocity - 1.0)
         rows.append(row(f"rebound error, {modes} modes, rigid, fixed rod", 100 * error, "%"))
@@ -181,7 +184,7 @@ def _accuracy() -> list:
             miss = np.sqrt(np.sum((force - true) ** 2) / np.sum(true**2))
             rows.append(row(f"force error (L2), {modes} modes, {name}", 100 * miss, "%"))
     worst = 0.0
-    for modes, stiffness, steps in ((1, 1e6, 100_000), (10, 1.0, 100_000), (100, 1e6, 10_000), (1000, 1e-6, 1000)):
+    for modes, stiffness, steps in some(EXTREMES):
         changes = {"contact": {"law": "linear", "stiffness": stiffness * scene.target.stiffness}}
         found = solvers.solve(scene.replace(changes), "modal", modes=modes, steps=steps)
         worst = max(worst, abs(found.diagnostics["energy_error"]))

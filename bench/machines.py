@@ -8,16 +8,17 @@ import numpy as np
 import solvers
 from tests import machines
 
+from .size import of, some
 from .timing import row
 
 
 def measure() -> dict[str, object]:
-    scenes = solvers.scene_names()
+    scenes = of(solvers.scene_names(), ["fixed-rod"])
     own = {name: machines.seen(name) for name in scenes}
     factors = {name: machines.sensitivity(solvers.load(name), own[name].figures) for name in scenes}
     chaotic = sorted(name for name, factor in factors.items() if factor > machines.CHAOTIC)
     print(f"  chaotic: {', '.join(chaotic) or 'none'}")
-    others = {name: machines.measured(machine, scenes) for name, machine in machines.machines().items()}
+    others = {name: machines.measured(machine, scenes) for name, machine in some(machines.machines()).items()}
     found, rows = {}, []
     for name, theirs in others.items():
         found[name] = {scene: machines.difference(own[scene].figures, theirs[scene].figures) for scene in scenes}

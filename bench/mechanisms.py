@@ -8,6 +8,7 @@ from solvers.methods.multibody.linkage import centres, rigid_linkage
 from solvers.numerics.multibody.free import joints_at, step_on
 from solvers.numerics.multibody.moving import STAGES, work
 
+from .size import of, some
 from .timing import median, row
 
 MODES = 15  # of bending, of the bar
@@ -22,7 +23,7 @@ def measure() -> dict[str, object]:
 def _impacts() -> list:
     """From the tables of the scene to the last parting, shapes of the bar and modes of the mechanism with it."""
     rows = []
-    for name, method in (("table-6.8", Balance()), ("four-bar", Modal(estimate=False))):
+    for name, method in some((("table-6.8", Balance()), ("four-bar", Modal(estimate=False)))):
         tables = solvers.load(name).table()
         tables["target"]["links"][2]["modes"] = MODES
 
@@ -37,7 +38,7 @@ def _impacts() -> list:
 def _moving() -> list:
     """Half a turn of a four-bar with a flexible bar, through its impacts: as impulses, and by a contact law."""
     method, rows = Multibody(restitution=1.0, estimate=False), []
-    for contact in ({"law": "rigid"}, {"law": "hertz", "stiffness": 1e9}):
+    for contact in some(({"law": "rigid"}, {"law": "hertz", "stiffness": 1e9})):
         scene = solvers.load("four-bar-moves").replace({"contact": contact})
 
         def solve(scene=scene):
@@ -65,13 +66,14 @@ def _drift() -> list:
     def energy() -> float:
         return float(0.5 * v**2 @ inertia + 9.81 * (q[1] + q[4]))
 
+    periods = of(PERIODS, 2)
     first, worst, gap, step = energy(), 0.0, 0.0, PERIOD / STEPS
-    for number in range(PERIODS * STEPS):
+    for number in range(periods * STEPS):
         step_on(linkage, room, STAGES, q, v, number * step, step, reactions)
         worst = max(worst, abs(energy() / first - 1.0))
         joints_at(linkage, q, 0.0, room.gap, room.jacobian, room.moving)
         gap = max(gap, float(np.abs(room.gap).max()))
-    what = f"double pendulum, {PERIODS} periods of {STEPS} steps"
+    what = f"double pendulum, {periods} periods of {STEPS} steps"
     return [
         row(f"{what}: energy", worst, "", "<= 1e-8"),
         row(f"{what}: joints", gap, "m", "<= 1e-9"),

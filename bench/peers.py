@@ -21,6 +21,7 @@ from solvers.accuracy.comparison import VARIANTS, force_error
 
 from . import peer_models
 from .peer_models import Problem, Record
+from .size import of, some
 from .timing import median
 
 Prepare = Callable[[Problem, int], peer_models.Run]
@@ -65,7 +66,7 @@ def missing() -> list[str]:
 
 
 def measure() -> dict[str, object] | None:
-    if missing():
+    if of(missing(), []):  # of a small run, those that are here
         print(f"  not installed: {', '.join(missing())}; `make peers` installs and runs them")
         return None
     scene = solvers.load("fixed-rod")
@@ -73,8 +74,9 @@ def measure() -> dict[str, object] | None:
     problem = Problem.of(scene, TRIPS * scene.time_unit)
     print(_header())
     found = {}
-    for name, settings in PEERS.items():
-        ladders = {setting: _peer_runs(problem, exact, prepare) for setting, prepare in settings.items()}
+    here = {name: each for name, each in PEERS.items() if name.partition(",")[0].lower() not in missing()}
+    for name, settings in here.items():
+        ladders = {setting: _peer_runs(problem, exact, prepare) for setting, prepare in some(settings).items()}
         found[name] = _entry(name, ladders, "elements")
     for label, table, kind in _own(scene):
         found[label] = _entry(label, {"": _own_runs(scene, exact, table, kind)}, kind)
@@ -96,7 +98,7 @@ def _own(scene: solvers.Scene) -> list[tuple[str, dict[str, object], str | None]
 
 def _peer_runs(problem: Problem, exact: Solution, prepare: Prepare) -> list[Run]:
     runs: list[Run] = []
-    for elements in RESOLUTIONS:
+    for elements in some(RESOLUTIONS, 2):
         work = prepare(problem, elements)
         work()  # what is compiled or cached at the first call
         record, spent = _timed(work)
@@ -109,7 +111,7 @@ def _peer_runs(problem: Problem, exact: Solution, prepare: Prepare) -> list[Run]
 def _own_runs(scene: solvers.Scene, exact: Solution, table: dict[str, object], kind: str | None) -> list[Run]:
     runs: list[Run] = []
     duration = TRIPS * scene.time_unit
-    for resolution in (None,) if kind is None else RESOLUTIONS:
+    for resolution in (None,) if kind is None else some(RESOLUTIONS, 2):
         try:
             method, _ = solvers.read_method(table if kind is None else table | {kind: resolution})
             method.solve(scene, duration)

@@ -7,6 +7,7 @@ import numpy as np
 import solvers
 from tests.random_chains import random_chain, wrong_with
 
+from .size import of
 from .timing import row
 
 CHAINS = 1000
@@ -14,7 +15,7 @@ CHAINS = 1000
 
 def measure() -> dict[str, object]:
     seconds, errors, ways, wrong = [], [], [], []
-    for number in range(CHAINS):
+    for number in range(of(CHAINS, 2)):
         scene, duration = random_chain(number)
         begun = perf_counter()
         solution = solvers.solve(scene, duration=duration)

@@ -9,9 +9,11 @@ from concurrent.futures import ProcessPoolExecutor
 import numpy as np
 
 from .measure_regimes import ROD_AXES, models_row
+from .size import of, some
 from .timing import row
 
 FEW, MANY = 1_000, 10_000
+LITTLE = 2, 4  # scenes of a small run, at two times
 
 
 def measured_row(task: tuple) -> tuple[int, float]:
@@ -21,9 +23,9 @@ def measured_row(task: tuple) -> tuple[int, float]:
 
 def sweep(scenes: int) -> tuple[float, float]:
     """Seconds of a sweep of so many on all cores, kernels loaded, and the memory of its largest process [MB]."""
-    times = ROD_AXES[1]
+    times = some(ROD_AXES[1], 2)
     tasks = [("fixed-rod", "hertz", ratio, times) for ratio in np.geomspace(0.02, 500.0, scenes // times.size)]
-    cores = os.cpu_count() or 1
+    cores = of(os.cpu_count() or 1, 1)
     with ProcessPoolExecutor(cores, mp_context=multiprocessing.get_context("spawn")) as pool:
         list(pool.map(measured_row, tasks[: 2 * cores]))
         begun = time.perf_counter()
@@ -34,11 +36,12 @@ def sweep(scenes: int) -> tuple[float, float]:
 
 
 def measure() -> dict[str, object]:
-    (_, few), (seconds, many) = sweep(FEW), sweep(MANY)
+    fewer, more = of((FEW, MANY), LITTLE)
+    (_, few), (seconds, many) = sweep(fewer), sweep(more)
     return dict(
         [
-            row(f"regime sweep, {MANY} scenes, {os.cpu_count()} cores", seconds, "s", "<= 60"),
-            row(f"memory of its largest process after {FEW} scenes", few, "MB"),
-            row(f"the same after {MANY}", many, "MB", "flat"),
+            row(f"regime sweep, {more} scenes, {os.cpu_count()} cores", seconds, "s", "<= 60"),
+            row(f"memory of its largest process after {fewer} scenes", few, "MB"),
+            row(f"the same after {more}", many, "MB", "flat"),
         ]
     )

@@ -11,8 +11,11 @@ from tests.app.servers import free_port
 
 
 @contextmanager
-def served_page() -> Iterator[tuple[str, int]]:
-    """Address and process of a running page that answers."""
+def served_page(known: tuple[str, int] | None = None) -> Iterator[tuple[str, int]]:
+    """Address and process of a running page that answers; of one that is known, if there is any."""
+    if known is not None:
+        yield known
+        return
     port = free_port()
     command = [sys.executable, "-m", "app.command", "serve", "--port", str(port)]
     server = subprocess.Popen(command, stdout=subprocess.DEVNULL)

@@ -19,6 +19,7 @@ from solvers.accuracy.refinement import Ladder, label, ladders
 from solvers.accuracy.tradeoff_table import Point, TradeOff
 
 from .automatic import costs_foretold
+from .size import of
 from .timing import row
 from .tradeoffs import impacts_of
 
@@ -41,7 +42,8 @@ class Again(NamedTuple):
 
 def measure(names: Sequence[str] = (), every: int = 1) -> dict[str, object]:
     """The coarsest, the middle and the finest point of every ladder, of all scenes, of some, or of each n-th."""
-    impacts = list(impacts_of(names or solvers.scene_names()).values())[::every]
+    names = names or of(solvers.scene_names(), ["fixed-rod"])
+    impacts = list(impacts_of(names).values())[::every]
     found: list[Again] = []
     with threadpool_limits(1, user_api="blas"):
         for scene, (name, *_) in impacts:
@@ -52,7 +54,7 @@ def measure(names: Sequence[str] = (), every: int = 1) -> dict[str, object]:
 
 
 def _again(name: str, scene: solvers.Scene, table: TradeOff) -> Iterator[Again]:
-    calibration.calibrate(CALIBRATION_SECONDS)
+    calibration.calibrate(of(CALIBRATION_SECONDS, 0.02))
     there = table.calibration or {}
     levels = {
         label(level.table(), always=ladder.resolution): (ladder, place)
@@ -76,7 +78,7 @@ def _solved(ladder: Ladder, level: int, scene: solvers.Scene) -> float:
     """The shortest of some warm solves [s]."""
     ladder.solve(level, scene.struck)
     times: list[float] = []
-    while len(times) < REPEATS and (len(times) < 3 or sum(times) < SECONDS):
+    while len(times) < of(REPEATS, 1) and (len(times) < 3 or sum(times) < SECONDS):
         begun = time.thread_time()
         ladder.solve(level, scene.struck)
         times.append(time.thread_time() - begun)

@@ -4,6 +4,7 @@ import statistics
 import subprocess
 import sys
 
+from .size import of
 from .timing import row
 
 IMPORT = "import time; t = time.perf_counter(); import solvers; print(time.perf_counter() - t)"
@@ -16,8 +17,9 @@ FIRST = (
 def measure() -> dict[str, object]:
     def timed(code: str) -> float:
         run = [sys.executable, "-c", code]
-        subprocess.run(run, check=True, capture_output=True)
-        times = [float(subprocess.run(run, check=True, capture_output=True, text=True).stdout) for _ in range(7)]
+        for _ in range(of(1, 0)):  # does not count
+            subprocess.run(run, check=True, capture_output=True)
+        times = [float(subprocess.run(run, check=True, capture_output=True, text=True).stdout) for _ in range(of(7, 1))]
         return statistics.median(times)
 
     return dict(

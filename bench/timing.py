@@ -4,12 +4,14 @@ import statistics
 import time
 from collections.abc import Callable, Sequence
 
+from .size import of
+
 
 def median(work: Callable[[], object], repeats: int = 15) -> float:
     """Median wall time [s] of `work`, after one run that does not count."""
     work()
     times = []
-    for _ in range(repeats):
+    for _ in range(of(repeats, 1)):
         begun = time.perf_counter()
         work()
         times.append(time.perf_counter() - begun)
@@ -21,7 +23,7 @@ def processor_times(works: Sequence[Callable[[], object]], repeats: int = 7) -> 
     for work in works:
         work()
     times: list[list[float]] = [[] for _ in works]
-    for _ in range(repeats):
+    for _ in range(of(repeats, 1)):
         for work, own in zip(works, times, strict=True):
             begun = time.thread_time()
             work()
@@ -33,7 +35,7 @@ def paired_medians(floor: Callable[[], object], work: Callable[[], object], repe
     """Medians [s] of both, timed in turn, and the median of their ratios: what disturbs one disturbs the other too."""
     floor(), work()
     pairs = []
-    for _ in range(repeats):
+    for _ in range(of(repeats, 1)):
         times = [time.perf_counter()]
         for run in (floor, work):
             run()

@@ -7,6 +7,7 @@ from solvers import Modal
 from solvers.numerics.oscillators import Record, Residual, march, oscillator_bank
 
 from .kernels import bare_rotation
+from .size import of, some
 from .timing import median, paired_medians, row
 
 MODES, STEPS = 40, 20_000
@@ -20,7 +21,7 @@ def measure() -> dict[str, object]:
 def _kernel() -> list:
     """The whole impact of thesis 8.4, several contacts and flights between them, in one march."""
     rows = []
-    for law in ("plastic-linear", "plastic-power", "hertz"):
+    for law in some(("plastic-linear", "plastic-power", "hertz")):
         scene = solvers.load("figure-8.21").replace({"contact.law": law})
         known = scene.target.modes(MODES).excited()
         step = 5e-3 / STEPS
@@ -48,9 +49,9 @@ def _kernel() -> list:
 
 def _accuracy() -> list:
     rows = []
-    for name in FIRM:
+    for name in some(FIRM):
         scene = solvers.load(name)
-        fine = solvers.solve(scene, steps=400_000, duration=6e-3)
+        fine = solvers.solve(scene, steps=of(400_000, STEPS), duration=6e-3)
         usual = solvers.solve(scene)
         rows.append(
             row(
@@ -62,7 +63,8 @@ def _accuracy() -> list:
         )
         more = scene.replace({"method.residual": True})
         finest, forty = (
-            Modal(modes=modes, steps=200_000, estimate=False).solve(more, 6e-3).impactor_velocity for modes in (160, 40)
+            Modal(modes=modes, steps=of(200_000, STEPS), estimate=False).solve(more, 6e-3).impactor_velocity
+            for modes in (160, 40)
         )
         rows.append(row(f"{name}: final velocity, 40 modes against 160", abs(forty - finest), "m/s"))
         rows.append(row(f"{name}: whole solve()", 1e3 * median(lambda scene=scene: solvers.solve(scene), 15), "ms"))
@@ -75,12 +77,12 @@ def _accuracy() -> list:
 def _energy() -> list:
     worst = 0.0
     scene = solvers.load("figure-8.21").replace({"method.residual": True})
-    for law in ("plastic-power", "plastic-linear", "hertz", "linear"):
-        for stiffness in (1e-6, 1.0, 1e6):
+    for law in some(("plastic-power", "plastic-linear", "hertz", "linear")):
+        for stiffness in some((1e-6, 1.0, 1e6)):
             table = {"law": law, "stiffness": (1e9 if law == "linear" else 2.4e10) * stiffness}
             if "plastic" in law:
                 table["yield_indentation"] = 1e-6
-            for modes in (1, 10, 100, 500):
+            for modes in some((1, 10, 100, 500)):
                 found = Modal(modes=modes, steps=2_000, estimate=False).solve(scene.replace({"contact": table}), 6e-3)
                 worst = max(worst, abs(found.diagnostics["energy_error"]))
     return [row("worst energy error, stiffness x 1e-6 to 1e6, 1 to 500 modes", worst, "", "<= 1e-10")]

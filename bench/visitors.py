@@ -21,8 +21,11 @@ from app.serving.limits import MAX_SESSIONS
 from tests.app.socket_client import SocketClient, run
 
 from .serving import served_page
+from .size import of
 from .timing import row
 
+BESIDE = (("costly", 0), ("costly", 2), ("costly", 4), ("flooding", 20), ("fetching", 20))
+LITTLE = (("costly", 0), ("flooding", 1), ("fetching", 1))
 HONEST, PERIOD = 5, 0.4  # visitors, and seconds between two changes of each
 SECONDS = 10.0  # of each measurement
 COSTLY = {"method": "mode-switch", "modes": 200}  # at mass ratios near 1/1000: 7 s of computing each
@@ -34,6 +37,7 @@ SCENES = ("", "?law=hertz", "?scene=stepped-rod", "?scene=hammer-on-cantilever")
 async def honest(address: str, seconds: float, query: str = "", period: float = PERIOD) -> list[float | None]:
     """Times [s] until each change was answered, None where a newer one was made first."""
     client = await SocketClient(address).open(query)
+    await client.fetch()
     await client.changes(1.0)
     found: list[float | None] = []
     await asyncio.sleep(random.random() * period)
@@ -42,7 +46,7 @@ async def honest(address: str, seconds: float, query: str = "", period: float = 
         await client.set("mass_ratio", 0.4 + 2.0 * random.random())
         took = None
         with suppress(TimeoutError):
-            await asyncio.wait_for(client.answer(), period * 25)
+            await asyncio.wait_for(client.answer(), period * of(25, 1_000))
             took = time.monotonic() - begun
         found.append(took)
         await asyncio.sleep(max(0.0, begun + period - time.monotonic()))
@@ -91,7 +95,7 @@ def crowd(address: str, kind: str, count: int) -> Iterator[None]:
         return
     others = subprocess.Popen([sys.executable, "-m", __name__, address, kind, str(count)])
     try:
-        time.sleep(4.0)
+        time.sleep(of(4.0, 2.0))
         yield
     finally:
         others.kill()
@@ -103,34 +107,44 @@ async def together(address: str, kind: str, count: int) -> None:
 
 
 async def five(address: str) -> list[float | None]:
-    return list(itertools.chain(*await asyncio.gather(*(honest(address, SECONDS) for _ in range(HONEST)))))
+    return list(itertools.chain(*await asyncio.gather(*(honest(address, of(SECONDS, 1.0)) for _ in range(HONEST)))))
 
 
 def measure() -> dict[str, object]:
     rows = []
-    with served_page() as (address, _):
-        alone: list[float] = []
-        for kind, count in (("costly", 0), ("costly", 2), ("costly", 4), ("flooding", 20), ("fetching", 20)):
-            with crowd(address, kind, count):
-                times = sorted(each for each in run(five(address)) if each is not None)
-            alone, name = alone or times, f"{count} {kind}" if count else "nobody"
-            middle, late = (1e3 * times[int(share * len(times))] for share in (0.5, 0.95))
-            rows.append(row(f"answers to five beside {name}", len(times) / len(alone), "of alone", ">= 0.6"))
-            rows.append(row(f"an answer beside {name}, p50", middle, "ms"))
-            rows.append(row(f"an answer beside {name}, p95", late, "ms"))
-            rows.append(row(f"p95 beside {name}", late / (1e3 * alone[int(0.95 * len(alone))]), "of alone", "<= 3"))
+    with served_page() as own:
+        rows += _beside(own[0])
+        if same := of(None, own):  # a small run starts one server
+            return dict(rows) | _classes(same) | _dragging(same)
     return dict(rows) | _classes() | _dragging()
 
 
-def _dragging() -> dict[str, object]:
+def _beside(address: str) -> list:
+    """Five honest visitors beside others of each kind."""
+    rows = []
+    alone: list[float] = []
+    for kind, count in of(BESIDE, LITTLE):
+        with crowd(address, kind, count):
+            times = sorted(each for each in run(five(address)) if each is not None)
+        alone, name = alone or times, f"{count} {kind}" if count else "nobody"
+        middle, late = (1e3 * times[int(share * len(times))] for share in (0.5, 0.95))
+        rows.append(row(f"answers to five beside {name}", len(times) / len(alone), "of alone", ">= 0.6"))
+        rows.append(row(f"an answer beside {name}, p50", middle, "ms"))
+        rows.append(row(f"an answer beside {name}, p95", late, "ms"))
+        rows.append(row(f"p95 beside {name}", late / (1e3 * alone[int(0.95 * len(alone))]), "of alone", "<= 3"))
+    return rows
+
+
+def _dragging(known: tuple[str, int] | None = None) -> dict[str, object]:
     """A whole class that drags what browsers answer: the server is asked once a hand rests."""
     rows = []
-    for sessions, most in ((50, 150), (MAX_SESSIONS, 500)):
-        with served_page() as (address, _):
+    seconds = of(SECONDS, 1.0)
+    for sessions, most in of(((50, 150), (MAX_SESSIONS, 500)), ((4, 500),)):
+        with served_page(known) as (address, _):
 
             async def visit(address: str = address, sessions: int = sessions) -> list[list[float | None]]:
                 queries = [COVERED[k % len(COVERED)] for k in range(sessions)]
-                return await asyncio.gather(*(honest(address, SECONDS, query, REST_PERIOD) for query in queries))
+                return await asyncio.gather(*(honest(address, seconds, query, REST_PERIOD) for query in queries))
 
             found = list(itertools.chain(*run(visit())))
             times = sorted(each for each in found if each is not None)
@@ -139,24 +153,27 @@ def _dragging() -> dict[str, object]:
     return dict(rows)
 
 
-def _classes() -> dict[str, object]:
+def _classes(known: tuple[str, int] | None = None) -> dict[str, object]:
     """A whole class, each visitor with two changes a second, scenes mixed."""
     rows = []
-    for sessions in (10, 25, 50):
-        with served_page() as (address, _):
+    seconds = of(SECONDS, 1.0)
+    for sessions in of((10, 25, 50), (4,)):
+        with served_page(known) as (address, _):
 
             async def visit(address: str = address, sessions: int = sessions) -> list[list[float | None]]:
                 begun = time.monotonic()
                 opened = await asyncio.gather(*(SocketClient(address).open() for _ in range(sessions)))
                 rows.append(row(f"{sessions} visitors open at once", time.monotonic() - begun, "s"))
+                await asyncio.gather(*(client.fetch() for client in opened))
+                rows.append(row(f"{sessions} visitors open at once, with all files", time.monotonic() - begun, "s"))
                 for client in opened:
                     client.close()
                 queries = [SCENES[k % len(SCENES)] for k in range(sessions)]
-                return await asyncio.gather(*(honest(address, SECONDS, query) for query in queries))
+                return await asyncio.gather(*(honest(address, seconds, query) for query in queries))
 
             found = list(itertools.chain(*run(visit())))
             times = sorted(each for each in found if each is not None)
-            rows.append(row(f"{sessions} visitors: answers", len(times) / SECONDS, "/s"))
+            rows.append(row(f"{sessions} visitors: answers", len(times) / seconds, "/s"))
             rows.append(row(f"{sessions} visitors: p50", 1e3 * statistics.median(times), "ms"))
             rows.append(row(f"{sessions} visitors: p95", 1e3 * times[int(0.95 * len(times))], "ms"))
     return dict(rows)

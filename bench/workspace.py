@@ -5,9 +5,11 @@ import time
 
 from tests.app.conftest import Page
 
+from .size import of, some
 from .timing import row
 
 VISITS = 5
+PLAYED = 4.0  # s
 DRAGGED = {  # scene; least answers a second while its slider moves
     "fixed-rod": 20,
     "ball-on-rod": 20,
@@ -88,14 +90,14 @@ def rows_of(browser, address: str, playback: str) -> list:
 
 def _python_loop() -> float:
     begun, total = time.perf_counter(), 0
-    for k in range(10_000_000):
+    for k in range(of(10_000_000, 1_000)):
         total += k
     return time.perf_counter() - begun
 
 
 def _first(browser, address: str) -> list:
     found = []
-    for _ in range(VISITS):
+    for _ in range(of(VISITS, 1)):
         page = Page(browser, address, "", drawn=False, reduced_motion="no-preference")
         page.wait("() => window.strikewave?.page.player.playing && strikewave.page.painted > 1")
         found.append(page.evaluate(FIRST))
@@ -114,22 +116,29 @@ def _first(browser, address: str) -> list:
 
 def _drags(browser, address: str) -> list:
     rows = []
-    for scene, target in DRAGGED.items():
+    for scene, target in some(DRAGGED).items():
         page = Page(browser, address, f"?scene={scene}")
         page.tab.wait_for_timeout(500)
-        page.evaluate(DRAG, 1)  # the first does not count
-        rows.append(row(f"answers while dragging, {scene}", page.evaluate(DRAG, 4), "/s", f">= {target}"))
+        page.evaluate(DRAG, of(1.0, 0.2))  # the first does not count
+        rows.append(row(f"answers while dragging, {scene}", page.evaluate(DRAG, of(4.0, 0.5)), "/s", f">= {target}"))
         page.context.close()
     return rows
 
 
 def _kept(browser, address: str, playback: str) -> list:
     rows = []
-    for scene in ("fixed-rod", "hammer-on-cantilever"):
+    for scene in some(("fixed-rod", "hammer-on-cantilever")):
         page = Page(browser, address, f"?scene={scene}&method=modal")
-        for modes in KEPT:
+        for modes in some(KEPT):
             page.evaluate(KEEP, modes)
-        rows.append(row(f"playback with {len(KEPT)} kept runs, {scene}", page.evaluate(playback), "frames/s", ">= 55"))
+        rows.append(
+            row(
+                f"playback with {len(KEPT)} kept runs, {scene}",
+                page.evaluate(playback, of(PLAYED, 0.5)),
+                "frames/s",
+                ">= 55",
+            )
+        )
         page.context.close()
     return rows
 
@@ -142,9 +151,10 @@ def _heap(browser, address: str) -> list:
         session.send("HeapProfiler.collectGarbage")
         return session.send("Runtime.getHeapUsage")["usedSize"]
 
-    page.evaluate(MOVE, [0, 100])
+    warm = of(100, 10)
+    page.evaluate(MOVE, [0, warm])
     before = used()
-    page.evaluate(MOVE, [100, MOVES])
+    page.evaluate(MOVE, [warm, of(MOVES, 20)])
     after = used()
     page.context.close()
     return [row(f"heap of JavaScript after {MOVES} moves, beside before", after / before, "", "<= 1.1")]
@@ -153,7 +163,7 @@ def _heap(browser, address: str) -> list:
 def _subjects(browser, address: str) -> list:
     """Scenes of the thesis, each opened for the second time, with the dock that shows what it is about."""
     page = Page(browser, address, "")
-    times = [[page.evaluate(OPEN, name) for name in SUBJECTS] for _ in range(2)][1]
+    times = [[page.evaluate(OPEN, name) for name in some(SUBJECTS)] for _ in range(2)][1]
     page.context.close()
     found = (("median", statistics.median(times)), ("slowest", max(times)))
     return [
@@ -165,6 +175,6 @@ def _phone(browser, address: str, playback: str) -> list:
     page = Page(browser, address, "", PHONE, has_touch=True)
     page.quiet()
     page.context.new_cdp_session(page.tab).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
-    rate = page.evaluate(playback)
+    rate = page.evaluate(playback, of(PLAYED, 0.5))
     page.context.close()
     return [row(f"playback on a phone, {SLOWER} times as slow", rate, "frames/s", ">= 50")]

@@ -20,6 +20,7 @@ from .bodies import (
     Pulse,
     RigidMass,
     Rod,
+    Rods,
     Wall,
     Waveguide,
     in_space,
@@ -32,13 +33,14 @@ from .contact.duration import contact_time
 from .contact.protocol import Law
 from .contact_table import chain_laws, read_contact_normal, read_joint_laws, read_law
 from .numerics.rigid import impulses
-from .validation import SceneError, allowed, told
+from .validation import SceneError, allowed, bound_beside
 
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles resolve nothing
 LONGEST_NOTE = 600  # characters
 RIGID: Any = Rigid()  # the contact of a scene that says nothing of it
 KEYS = ("title", "source", "note", "impactor", "target", "contact", "method", "view")
 IN_PLACE = {"velocity": ("height",), "height": ("velocity",)}  # of what of an impactor a key stands
+ALONG_AXIS = ("mass", "sphere", "rod", "rods", "beam")  # kinds that a velocity along the axis moves as wholes
 
 
 @dataclass(frozen=True)
@@ -169,7 +171,7 @@ class Scene:
     def _dropped(self, impactor: dict[str, Any]) -> dict[str, Any]:
         """The table of the impactor, with its gravity, and the height of its fall where that is given."""
         given = self.given.get("impactor", {})
-        if isinstance(self.target, Mechanism) and not isinstance(self.impactor, Pivoted):
+        if self.impactor.kind in ALONG_AXIS:
             impactor = impactor | {"velocity": self.impactor.velocity}  # which may be zero, and cannot be left out
         if "height" not in given or fallen(given, self.impactor.kind)["velocity"] != self.impactor.velocity:
             return impactor | ({"gravity": self.gravity} if self.gravity else {})
@@ -334,8 +336,10 @@ def _read_impactor(given: object, target: AnyBody) -> AnyBody:
             raise SceneError(
                 key, target.support if isinstance(target, Rod) else target.kind, allowed("mechanism-strikes")
             )
-    if not isinstance(target, Mechanism) or not isinstance(given, Mapping):
+    if not isinstance(given, Mapping):
         return read_body("impactor", given)
+    if not isinstance(target, Mechanism):
+        return _read_met(given, target)
     if given.get("kind") in (Body.kind, Pulse.kind):
         raise SceneError("impactor.kind", given["kind"], allowed("strikes-mechanism"))
     fastest, known = SPEED_RANGE[1], "velocity" in given
@@ -345,6 +349,18 @@ def _read_impactor(given: object, target: AnyBody) -> AnyBody:
     if not known or isinstance(found, Pivoted):
         return found
     return replace(found, velocity=validation.number("impactor.velocity", given["velocity"], -fastest, fastest, "m/s"))
+
+
+def _read_met(given: Mapping[str, Any], target: AnyBody) -> AnyBody:
+    """What strikes; where the target comes towards it, it may stand still or move the same way more slowly."""
+    comes = isinstance(target.velocity, (int, float)) and target.velocity < 0.0
+    if not comes or "velocity" not in given or given.get("kind", "mass") not in ALONG_AXIS:
+        return read_body("impactor", given)
+    fastest = SPEED_RANGE[1]
+    found: Any = read_body("impactor", {**given, "velocity": fastest})
+    velocity = validation.number("impactor.velocity", given["velocity"], -fastest, fastest, "m/s")
+    moving = {"rods": tuple(replace(rod, velocity=velocity) for rod in found.rods)} if isinstance(found, Rods) else {}
+    return replace(found, velocity=velocity, **moving)
 
 
 def _on_rod(pulse: Pulse, target: AnyBody, contact: object) -> Pulse:
@@ -376,5 +392,5 @@ def _check_masses(impactor: AnyBody, target: AnyBody) -> None:
     ratio = target.mass / impactor.mass
     if not 1.0 / LARGEST_MASS_RATIO <= ratio <= LARGEST_MASS_RATIO and ratio != math.inf:
         low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
-        bounds = {name: told(bound, impactor.mass, 3) for name, bound in (("low", low), ("high", high))}
+        bounds = {name: bound_beside(bound, impactor.mass, 3) for name, bound in (("low", low), ("high", high))}
         raise SceneError("impactor.mass", impactor.mass, allowed("impactor-mass", **bounds))

@@ -74,7 +74,7 @@ def allowed(code: str, **values: Any) -> Note:
     return Note(f"allowed.{code}", Severity.REFUSAL, **values)
 
 
-def told(bound: float, refused: object, digits: int = 6) -> float:
+def bound_beside(bound: float, refused: object, digits: int = 6) -> float:
     """A bound in as few digits, from so many on, as leave the refused value outside."""
     if not isinstance(refused, (int, float)) or refused == bound:
         return bound
@@ -88,7 +88,7 @@ def told(bound: float, refused: object, digits: int = 6) -> float:
 def a_number(low: float, high: float, unit: str = "", inside: str = "nothing", refused: object = None) -> Note:
     """That a number in [low, high] is allowed, and so not the one that is refused; `inside` the rod or the record, if
     those are its bounds."""
-    shown = [told(bound, refused) for bound in (low, high)]
+    shown = [bound_beside(bound, refused) for bound in (low, high)]
     digits = next(n for n in (6, 15, 17) if n == 17 or all(float(f"{bound:.{n}g}") == bound for bound in shown))
     if digits == 6 or refused is None:
         return allowed("number", low=low, high=high, digits=6, unit=unit or "none", inside=inside)

@@ -19,6 +19,14 @@ DEFAULT_PORT = 5006
 LONGEST_ORIGIN = 262  # with scheme and port
 FRAME_ORIGIN = r"(https://(\*\.(?=[^.:]+\.))?[a-z0-9-]+(\.[a-z0-9-]+)*|http://(localhost|127\.0\.0\.1))(:(\d{1,5}))?"
 
+# Ports of other services, to which no browser goes: WHATWG Fetch, 'port blocking'
+REFUSED = """
+    1 7 9 11 13 15 17 19 20 21 22 23 25 37 42 43 53 69 77 79 87 95 101 102 103 104 109 110 111 113 115 117 119 123 135
+    137 139 143 161 179 389 427 465 512 513 514 515 526 530 531 532 540 548 554 556 563 587 601 636 989 990 993 995 1719
+    1720 1723 2049 3659 4045 4190 5060 5061 6000 6566 6665 6666 6667 6668 6669 6679 6697 10080
+    """
+REFUSED_BY_BROWSERS = frozenset(map(int, REFUSED.split()))
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", help=text("help.serve.port", port=DEFAULT_PORT))
@@ -66,6 +74,8 @@ def _run(options: argparse.Namespace) -> int:
     if not _lessons(os.environ.get("IMPACT_LESSONS", "") if options.lessons is None else options.lessons):
         return 2
     sockets = _port(int(port), address)
+    if int(port) in REFUSED_BY_BROWSERS:
+        print(text("wanted.port-refused", port=port), file=sys.stderr, flush=True)
     from ..serving.server import serve
 
     return serve(int(port), address, origins, proxies, sockets, frames)

@@ -4,8 +4,6 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from solvers import Scene
-
 from .events import is_event, times_of
 from .formula import Formula, Quantity
 from .solving import QUANTITIES, Shown
@@ -29,7 +27,7 @@ OF_RESULTS: dict[str, Dimension] = {
     "target_spin": RATE,
     "sticks": NONE,
 }
-OF_SCENES: dict[str, tuple[Dimension, Callable[[Scene], Any]]] = {
+OF_SCENES: dict[str, tuple[Dimension, Callable[[Any], Any]]] = {
     "impactor_mass": (MASS, lambda scene: scene.impactor.mass),
     "target_mass": (MASS, lambda scene: scene.target.mass),
     "length": (LENGTH, lambda scene: scene.target.length),
@@ -39,7 +37,7 @@ OF_SCENES: dict[str, tuple[Dimension, Callable[[Scene], Any]]] = {
     "initial_energy": (ENERGY, lambda scene: scene.initial_energy),
     "gravity": ((1, 0, -2), lambda scene: GRAVITY),
 }
-OF_SETTINGS: dict[str, Dimension] = {"speed": SPEED, "mass_ratio": NONE, "friction": NONE}  # of others it is not told
+OF_SETTINGS: dict[str, Dimension] = {"speed": SPEED, "mass_ratio": NONE, "friction": NONE}  # of others it is not known
 
 
 def names(kind: str, settings: Iterable[str]) -> list[str]:

@@ -108,7 +108,8 @@ def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, Any]:
         return {}
     time = np.linspace(0.0, min(exact.duration, BEYOND * exact.contacts[-1].end), samples)
     if isinstance(exact.motion, ModalMotion):  # its force is constant over each step: given in the middle
-        time = (np.floor(time / exact.motion.step) + 0.5) * exact.motion.step
+        step = exact.motion.step
+        time = (np.minimum(np.floor(time / step), np.floor(exact.duration / step) - 1.0) + 0.5) * step
     depth = exact.known_motion.impactor_position(time) - exact.known_motion.end_position(time)
     force = exact.known_motion.force(time)
     force[depth <= law.dent(0.0)] = 0.0

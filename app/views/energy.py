@@ -7,6 +7,7 @@ import numpy as np
 
 from solvers import Solution
 from solvers.accuracy.reference import exact_solution
+from solvers.solution.given import books_open, given
 from solvers.solution.motion import SplitsTarget
 from solvers.text.catalogue import Catalogue
 
@@ -24,6 +25,7 @@ COLOURS = {  # of the parts, which have their names in the solution
     "target_vibration": "#e08a4d",
     "target_kinetic": "#e08a4d",
     "target_strain": "#d8b23c",
+    "weight": "#8b95a1",
     "local": "#7c9a54",
     "dissipated": "#a4243b",
 }
@@ -39,10 +41,10 @@ def of_impacts(asked: dict[str, Any]) -> Hashable:
 
 @answering
 def energy_data(request: Request) -> dict[str, Any]:
-    """The shares: `time` in `unit`, `fed` [%], and of each part `key` and `values` [%], or None."""
+    """The shares: `time` in `unit`, `fed` [%], `gap`, and of each part `key` and `values` [%], or None."""
     found = energy_shares(request)
     parts = [{"key": key, "values": _listed(found[key]) if key in found else None} for key in COLOURS]
-    return {"time": _listed(found["time"]), "unit": found["unit"], "fed": found["fed"], "parts": parts}
+    return {"time": _listed(found["time"]), **{key: found[key] for key in ("unit", "fed", "gap")}, "parts": parts}
 
 
 def _listed(values: np.ndarray) -> list[float]:
@@ -51,7 +53,8 @@ def _listed(values: np.ndarray) -> list[float]:
 
 def energy_shares(request: Request) -> dict[str, Any]:
     """Energy of every part against time [T; s for a beam], as a share of the first energy and `fed`, what the
-    drives have brought in by the end.
+    drives have brought in by the end. That of weight counts from the lowest place of what falls, so that it is part of
+    the first. `gap`: the share that is unaccounted for, where shares would tell nothing, else None.
 
     That of a beam is split into motion and bending, where its method knows both.
     """
@@ -66,10 +69,14 @@ def energy_shares(request: Request) -> dict[str, Any]:
         parts = solution.motion.target_energies(time)
         energies = {key: energies[key] for key in energies if key not in ("target_rigid", "target_vibration")}
         energies |= {f"target_{name}": values for name, values in parts.items()}
-    fed = max(-solution.energy.get("drives", 0.0), 0.0)
+    fed = given(solution.energy)["drives"]
     whole = solution.energy["initial"] + fed
+    if "weight" in energies:
+        energies["weight"] = energies["weight"] - energies["weight"].min()
+        whole += energies["weight"][0]
     shares = {name: 100.0 * values / whole for name, values in energies.items()}
-    return {"time": time / unit, "unit": "s" if beam else "T", "fed": 100.0 * fed / whole, **shares}
+    gap = abs(solution.diagnostics["energy_error"]) if books_open(solution) else None
+    return {"time": time / unit, "unit": "s" if beam else "T", "fed": 100.0 * fed / whole, "gap": gap, **shares}
 
 
 def beam_instants(solution: Solution) -> np.ndarray:

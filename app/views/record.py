@@ -15,6 +15,7 @@ from solvers.text.catalogue import Catalogue
 from solvers.text.notes import Note, Severity
 
 from ..choices.request import Request
+from ..messages.transverse import main_solution
 from ..text.refusals import Refused, reason_of
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
@@ -28,7 +29,8 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
 
     `time` [T] and `values` of the record as it lies best on the solution; `computed`: `time` [T] and `model`, what the
     exact solution says of the same place; `recovered`: `time` [T] and `force` [N] from the record alone, moved and
-    scaled like it, or None; `kind`, `shift` [s], `scale`, `residual`, `notes`. Values in SI units.
+    scaled like it, or None; `kind`, `trip`, which is T [s], `shift` [s], `scale`, `residual`, `notes`. Values are
+    in SI units.
     """
     request = Request.of(chosen)
     if request.kind == "bodies":
@@ -45,7 +47,8 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
     notes += clock_notes(record)
     recovered = None
     try:
-        recovered = _recovered(record, solution, place, found)
+        if request.kind == "axial":
+            recovered = _recovered(record, solution, place, found)
     except ValueError as refusal:
         notes.append(Note("record.not-recovered", Severity.WARNING, reason=reason_of(refusal)))
     return _packed(record, solution, place, found, recovered, notes)
@@ -69,9 +72,10 @@ def _place(text: str, record: Record, scene: Scene) -> float | None:
 
 
 def _solution(request: Request, record: Record) -> Solution:
-    """The exact one, for as long as the record may show it."""
+    """The exact one, of a beam the one that is shown, for as long as the record may show it."""
     scene = request.scene
-    exact, trip = exact_solution(scene, request.restitution), scene.time_unit
+    beam, trip = request.kind == "beam", scene.time_unit
+    exact = main_solution(request)[0] if beam else exact_solution(scene, request.restitution)
     lag = sum(rod.round_trip_time for rod in scene.target.rods)
     wanted = min(float(np.ptp(record.time)) + lag, exact.duration + MAX_FOLLOWED * trip)
     if exact.motion is None or wanted <= exact.duration:
@@ -119,6 +123,7 @@ def _packed(
         "values": shown["record"][1],
         "computed": dict(zip(("time", "model"), shown["computed"], strict=True)),
         "recovered": dict(zip(("time", "force"), shown["recovered"], strict=True)) if recovered else None,
+        "trip": trip,
         "shift": found.shift,
         "scale": found.scale,
         "residual": found.residual.relative,

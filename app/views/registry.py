@@ -139,7 +139,7 @@ VIEWS = (  # in the order in which an address names them
          depends_on=of_modes),
     View("spectrum", spectrum.spectrum_data, asked=spectrum.QUESTIONS, kinds=AXIAL | BENDING, rests=True),
     View("code"),
-    View("record", figure=record_figure, kinds=AXIAL),  # whose answers come by another door, as they need a file
+    View("record", figure=record_figure, kinds=AXIAL | BEAMS),  # its answers come by another door: they need a file
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key, sorted(view.kinds)) for view in VIEWS]  # with their files
 FIGURES = {view.name: view.figure for view in VIEWS if view.figure} | {

@@ -7,6 +7,7 @@ from typing import Any
 from .. import validation
 
 LENGTH_RANGE = (1e-6, 1e6)  # m, of bodies and of radii
+YOUNG_RANGE = (1e-3, 1e13)  # Pa: down to benchmarks without dimensions, of a modulus of 1
 
 
 @dataclass(frozen=True)
@@ -54,10 +55,10 @@ def read_material(key: str, given: object) -> Material:
     needed = validation.allowed("material-constant", names=list(MATERIALS))
     yields = given.get("yield")
     return Material(
-        validation.number(f"{key}.young", validation.required(key, given, "young", needed), 1e3, 1e13, "Pa"),
+        validation.number(f"{key}.young", validation.required(key, given, "young", needed), *YOUNG_RANGE, "Pa"),
         validation.number(f"{key}.density", validation.required(key, given, "density", needed), 1e-2, 1e6, "kg/m3"),
         validation.number(f"{key}.poisson", given.get("poisson", 0.3), -0.99, 0.499),
-        None if yields is None else validation.number(f"{key}.yield", yields, 1.0, 1e13, "Pa"),
+        None if yields is None else validation.number(f"{key}.yield", yields, *YOUNG_RANGE, "Pa"),
     )
 
 

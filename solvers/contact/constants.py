@@ -11,6 +11,9 @@ STIFFNESS_RANGE = (1e-6, 1e20)  # of any law, in its own unit
 EXPONENT_RANGE = (1.0, 3.0)
 LENGTH_RANGE = (1e-15, 1e6)  # of indentations [m]
 YIELD_VARIED = (1e-6, 1e-9, 1e-2)  # indentation at yield [m]: usual, and the range in which it is varied by hand
+# Pressure over the Young's modulus of the softer body: Hertz's is 1.6 times the yield strength as flow begins, and even
+# the hardest steel has no more than 1.4 % of its modulus. Not below YIELDING, as rubber bears any share.
+LARGE_PRESSURE, YIELDING = 0.025, 1e9  # [Pa]
 LARGEST_CONTACT = 1.0 / 3.0  # radius of the contact over that of the bodies: beyond, they are no longer half-spaces
 
 
@@ -103,6 +106,11 @@ def point_limits(deepest: float, impactor: Any, target: Any, plastic: bool) -> l
         begins = first_yield(radius, modulus, strength)
         if deepest > begins:
             found.append(Note("beyond-first-yield", Severity.WARNING, times=deepest / begins))
+    if strength is None and modulus is not None and not plastic:
+        pressure = 2.0 / math.pi * modulus * math.sqrt(deepest / radius)
+        softer = min(body.material.young for body in (impactor, target) if body.material is not None)
+        if softer >= YIELDING and pressure > LARGE_PRESSURE * softer:
+            found.append(Note("pressure-large", Severity.REMARK, pressure=pressure, share=pressure / softer))
     contact = math.sqrt(deepest * radius * (2.0 if plastic else 1.0)) / radius
     if contact > LARGEST_CONTACT:
         slower = approach_speed(impactor, target) * (LARGEST_CONTACT / contact) ** (2.0 if plastic else 2.5)

@@ -39,8 +39,8 @@ def ripple(solution: Solution) -> float | None:
         return None
     until = min(found[1] for body in bodies if (found := _front(body)) is not None)
     times = np.linspace(0.0, min(until, solution.duration), INSTANTS)
-    told = motion.resolved_force(times) if isinstance(motion, ResolvesForce) else solution.known_motion.force(times)
-    return float(np.max(told)) / force - 1.0
+    shown = motion.resolved_force(times) if isinstance(motion, ResolvesForce) else solution.known_motion.force(times)
+    return float(np.max(shown)) / force - 1.0
 
 
 def notes_on_ripple(solution: Solution) -> list[Note]:

@@ -215,7 +215,7 @@ class MechanismMotion:
         excited = self.frozen.modes.is_excited
         rates = np.zeros(excited.size)
         rates[excited] = self.target_state(until).rates[0]
-        whole = _impulses(self._by_joint(self.frozen.over_time(float(impulse), rates)))
+        whole = _impulses(self._by_joint(self.frozen.over_time(impulse, rates)))
         if not isinstance(self.relative, Balances):
             return whole
         sudden = _impulses(self._by_joint(self.frozen.at_once(impulse)))

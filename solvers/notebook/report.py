@@ -4,9 +4,11 @@ import math
 import textwrap
 from typing import Any
 
+from ..solution.given import SOURCES, books_open, given
 from .words import family, listed, named, shown, text, vector
 
 LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
+LEAST_GIVEN = 1e-7  # of the energy, that is named: shares have five decimals
 
 
 def report(solution: Any) -> str:
@@ -40,11 +42,7 @@ def report(solution: Any) -> str:
     for key, value in solution.restitution.items():
         known = text("report.not-defined") if value is None else shown(value, ".6f")
         lines.append(f"    {named('restitution', key):30}{known}")
-    lines += ["", "  " + text("solve.energy")]
-    initial = solution.energy["initial"]
-    for key, value in solution.energy.items():
-        if key != "initial":
-            lines.append(f"    {named('energy', key):30}{shown(100 * value / initial, '10.5f')}")
+    lines += ["", *_shares(solution)]
     residuals = [_residual(name, found[f"{name}_error"]) for name in ("energy", "momentum")]
     residuals.append(f"{text('solve.error')} {_estimate(found['estimated_error'])}")
     lines += [
@@ -54,6 +52,23 @@ def report(solution: Any) -> str:
         *(_note(note) for note in solution.notes),
     ]
     return "\n".join(lines)
+
+
+def _shares(solution: Any) -> list[str]:
+    """Where the energy is at the end, of all that was given; that it does not add up where it does not."""
+    energy, found = solution.energy, solution.diagnostics
+    if books_open(solution):
+        gaps = {name: abs(found[f"{name}_error"]) for name in ("energy", "momentum")}
+        return ["  " + text("solve.energy-open", **gaps)]
+    gave = given(energy)
+    since = {part: gave[part] for part in SOURCES if gave[part] > LEAST_GIVEN * gave["whole"]}
+    named_since = [f"{named('energy', part)} {shown(joules, '.4g')} J" for part, joules in since.items()]
+    head = text("solve.energy-given", parts=named_since) if since else text("solve.energy")
+    shares = {part: joules / gave["whole"] for part, joules in energy.items() if part not in ("initial", *since)}
+    return [
+        "  " + head,
+        *(f"    {named('energy', part):30}{shown(100 * share, '10.5f')}" for part, share in shares.items()),
+    ]
 
 
 def brief(solution: Any) -> str:

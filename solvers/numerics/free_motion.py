@@ -10,6 +10,8 @@ import numpy as np
 
 from ..jit.kernels import inner_kernel, kernel, summing_kernel
 
+NO_RATE = 1e-9  # of that at the ends of a step: a rate that rounding makes, as faces come free of each other
+
 
 class Turn(NamedTuple):
     """One step of free motion, (modes,) each: q1 = stay q + go p, p1 = back q + stay p."""
@@ -180,7 +182,7 @@ def rises_within(bank, q, p, a, a_rate, b, b_rate, step, most, lead, speed, fall
             return 0.0
         place = _vanishes(bank, q, p, True, 0.0, first, step, last, step, speed, fall)
         rate = sum_after(bank, place - step, q, p)[1] + speed + fall * place
-        if (rate > 0.0) == (a_rate > 0.0) or rate == 0.0:
+        if (rate > 0.0) == (a_rate > 0.0) or abs(rate) <= NO_RATE * max(abs(a_rate), abs(b_rate)):
             return 0.0
         if rate > 0.0:
             low, at_low = place, rate

@@ -207,12 +207,12 @@ def followed(law, of_law, residual, bodies, modes, step, stride, room, most, aft
         last = modal_contacts.closed(last, until, record, step, of_law[0], of_law[1], room.slopes)
         if not apart:
             touched = until
-        elif last < until and record.rigid_velocity[until] > record.velocity[until]:
+        elif last + int(np.ceil(afterglow / step)) <= until and record.rigid_velocity[until] > record.velocity[until]:
             swings = residual.compliance * abs(record.spring_force[until])
             for i in range(room.displacement.size):
                 swings += np.hypot(room.displacement[i], room.velocity[i])
             if not rings or record.rigid_position[until] - record.position[until] > swings:
-                return min(until, last + int(np.ceil(afterglow / step))), np.bool_(True)
+                return last + int(np.ceil(afterglow / step)), np.bool_(True)
             if (until - touched) * step >= WATCHED_PERIODS * 2.0 * np.pi / modes[0][0]:
                 return -1, np.bool_(False)
         done = until

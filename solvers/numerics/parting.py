@@ -10,6 +10,9 @@ energies a_i^2 / (2 c_i). So bodies that move apart as wholes never touch again 
 faces reach. Until then they are watched, for WATCHED_PERIODS of the slowest that swings at most; they might still touch
 later, which is said. What moves alike in every period, a uniform rod that a mass has struck, is watched for one.
 
+Where the joints of a body can open, its parts are bodies of their own; or else what strikes leaves faster than its
+first part can ever come after it, with all energy and momentum that the body has.
+
 The slowest period of rods one behind the other is no longer than Dunkerley has it,
 
     1 / w_1^2 <= sum over all modes of 1 / w_i^2 = integral of m(s) (1 - m(s) / M) ds / (E A),
@@ -30,6 +33,18 @@ WATCHED_PERIODS = 20.0
 def reach(energy, compliance):
     """How far a face may come from where the motion of its body as a whole has it."""
     return np.sqrt(2.0 * max(energy, 0.0) * compliance)
+
+
+@kernel
+def backwards(energy, momentum, part, whole):
+    """How fast a part of a body, of mass `part` of `whole`, can come back at most while all of it has this energy and
+    momentum, and the energy that is left beside its motion as a whole. `whole` is infinite where it is held.
+    """
+    if whole == np.inf:
+        return np.sqrt(2.0 * max(energy, 0.0) / part), energy
+    speed = momentum / whole
+    free = max(energy - 0.5 * whole * speed**2, 0.0)
+    return np.sqrt(2.0 * free * max(whole - part, 0.0) / (whole * part)) - speed, free
 
 
 @kernel

@@ -153,10 +153,8 @@ def follow_weighted(asked, constants, slopes, start, scales, cell, course):
     bound, turns, energy = np.bool_(False), 0, 0.5 * mass * speed * speed + first
     for k in range(course.time.size):
         check_time()
-        depth, push = (
-            memory[0] + scales[0] * root * root,
-            scales[2] * _push(asked, constants, slopes, scales, memory, root, rate),
-        )
+        depth = memory[0] + scales[0] * root * root
+        push = scales[2] * _push(asked, constants, slopes, scales, memory, root, rate)
         stored = asked(STORED, constants, depth, 0.0, max(memory[1], depth), slopes)
         _write(course, k, (mass, speed, energy, opens), scales, (unit * time, depth, rate, push, stored))
         if abs(rate) <= RESTING and abs(push / scales[2] - scales[3]) <= RESTING * scales[3]:

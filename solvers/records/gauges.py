@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from .. import validation
-from ..validation import SceneError, allowed, told
+from ..validation import SceneError, allowed, bound_beside
 from .record import Record, as_stress
 from .refused import RecordError
 
@@ -76,7 +76,7 @@ def from_one_gauge(record: Record, rod: Any, x: float) -> RecoveredWaves:
     delay = rod.round_trip_time - 2.0 * lag
     if reflection and delay < record.step:
         most = rod.length - 0.5 * record.step * rod.wave_speed
-        raise SceneError("at", x, allowed("record.one-gauge", most=told(most, x)))
+        raise SceneError("at", x, allowed("record.one-gauge", most=bound_beside(most, x)))
     quiet, time = _Quiet(record, rod, lag), _instants(record, lag)
     terms = 1 + int(time[-1] / delay) if reflection else 1
     _check_terms(terms, time.size)
@@ -103,7 +103,7 @@ def from_two_gauges(first: Record, second: Record, rod: Any, x1: float, x2: floa
     apart = lag2 - lag1
     if not apart >= max(first.step, second.step):
         least = max(first.step, second.step) * rod.wave_speed
-        raise SceneError("at", x2, allowed("record.second-gauge", least=told(x1 + least, x2)))
+        raise SceneError("at", x2, allowed("record.second-gauge", least=bound_beside(x1 + least, x2)))
     one, two = _Quiet(first, rod, lag1), _Quiet(second, rod, lag2)
     ends = min(first.time[-1] - lag1, second.time[-1] + apart - lag1)
     time = _instants(first, lag1, ends)

@@ -67,7 +67,7 @@ def written(cell: str) -> Written | None:
 
 def signs_of(rows: Sequence[Row], decimal: str | None = None) -> Signs:
     """Of all cells of all rows; `decimal`: what it is if the caller knows. Raises SceneError where rows differ."""
-    told = None
+    given = None
     grouped = False
     for line, cells in rows:
         for cell in cells:
@@ -75,9 +75,9 @@ def signs_of(rows: Sequence[Row], decimal: str | None = None) -> Signs:
             if number is None or number.decimal is None:
                 continue
             if decimal is None:
-                decimal, told = number.decimal, (line, cell)
+                decimal, given = number.decimal, (line, cell)
             if number.decimal != decimal:
-                raise RecordError("two-signs", cell, row=line, got=_short(cell), **_other(told))
+                raise RecordError("two-signs", cell, row=line, got=_short(cell), **_other(given))
             grouped = grouped or number.group in OTHER
     return Signs(decimal, grouped)
 
@@ -166,5 +166,5 @@ def _short(cell: str) -> str:
     return cell.strip()[:SHOWN_LETTERS]
 
 
-def _other(told: tuple[int, str] | None) -> dict[str, object]:
-    return {"other": "", "first": 0} if told is None else {"other": _short(told[1]), "first": told[0]}
+def _other(given: tuple[int, str] | None) -> dict[str, object]:
+    return {"other": "", "first": 0} if given is None else {"other": _short(given[1]), "first": given[0]}

@@ -100,7 +100,8 @@ def between_bars(mechanism: Mechanism) -> list[int]:
     for number, pin in enumerate(mechanism.joints):
         try:
             for name in () if GROUND in pin.links else pin.links:
-                _bar(mechanism, named[name]), _away(number, named[name], pin)
+                _bar(mechanism, named[name])
+                _away(number, named[name], pin)
         except SceneError:
             continue
         if GROUND not in pin.links:

@@ -13,6 +13,8 @@ from pathlib import Path
 
 import pytest
 
+from ..patience import SECONDS
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -48,7 +50,7 @@ class Server:
                 stderr=subprocess.STDOUT,
                 cwd=ROOT,
             )
-        deadline = time.monotonic() + 180  # a first compilation
+        deadline = time.monotonic() + SECONDS  # a first compilation
         while True:
             if self.process.poll() is not None or time.monotonic() > deadline:
                 self.process.kill()

@@ -13,6 +13,7 @@ from tornado.websocket import websocket_connect
 
 from app.choices.choices import title_of
 from app.messages.encoding import read_header
+from app.serving.pages import VERSION
 from app.text.catalogues import page
 from solvers.text.catalogue import SOURCE
 from tests.app.sentences import refusals
@@ -26,6 +27,7 @@ def run(coroutine: Coroutine, seconds: float = 300.0) -> Any:
         return pool.submit(asyncio.run, asyncio.wait_for(coroutine, seconds)).result()
 
 
+FETCHED = ("page.js", "sheets.css", "wasm/answers.js", "wasm/kernels.wasm")  # which no document names for itself
 READY = {"type": "event", "name": "document_ready", "values": {"type": "map", "entries": []}}
 
 
@@ -43,6 +45,24 @@ class SocketClient:
         page = await AsyncHTTPClient().fetch(f"http://{self.address}/{query}", request_timeout=SECONDS)
         self.html = page.body.decode()
         return await self.connect(re.search(r'"token":\s*"([^"]+)"', self.html).group(1))
+
+    async def fetch(self) -> list[str]:
+        """All files that a browser fetches on a first visit, besides what the program of the page asks by its language
+        and its scene; their paths.
+        """
+        named = re.findall(r'<(?:script|link)\b[^>]*?(?:src|href)="([^"]+)"', self.html)
+        paths = list(dict.fromkeys([*named, *(f"assets/{VERSION}/{name}" for name in FETCHED)]))
+        headers = {"Accept-Encoding": "gzip"}
+        get = AsyncHTTPClient(force_instance=True, max_clients=6).fetch  # as many as a browser opens to one host
+        await asyncio.gather(
+            *(
+                get(
+                    f"http://{self.address}/{path}", headers=headers, decompress_response=False, request_timeout=SECONDS
+                )
+                for path in paths
+            )
+        )
+        return paths
 
     async def connect(self, token: str) -> "SocketClient":
         """Open the socket of the session that a token names."""

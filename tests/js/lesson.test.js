@@ -6,7 +6,7 @@ import { curveOf, eventsOf, lastContact, meets, timeOf } from '../../app/static/
 import { rangeOf, wordsOfGoal } from '../../app/static/lesson/goal.js';
 import { Drawn, pointsOf } from '../../app/static/lesson/line.js';
 import { wordsOf } from '../../app/static/lesson/nodes.js';
-import { judgeNumber, quantityWords, read } from '../../app/static/lesson/number.js';
+import { isNear, judgeNumber, quantityWords, read } from '../../app/static/lesson/number.js';
 import { mixed } from '../../app/static/lesson/order.js';
 
 const UNITS = ['s', 'ms', 'µs'];
@@ -64,6 +64,22 @@ test('a number is right in any unit, or one of the usual mistakes', () => {
   assert.deepEqual(judge(17187, 's'), { right: false, mistake: 1 });
   assert.deepEqual(judge(116.4, 'ms'), { right: false, mistake: 2 });
   assert.deepEqual(judge(0, 'µs'), { right: false, mistake: -1 });
+});
+
+test('what is off by as much as rounding is near, in any unit, but not its opposite', () => {
+  for (const [value, unit] of [
+    [119, 'µs'],
+    [0.113, 'ms'],
+    [1.19e-4, 's'],
+  ])
+    assert.ok(isNear(ASKED, value, unit));
+  for (const [value, unit] of [
+    [121, 'µs'],
+    [-116, 'µs'],
+    [119, 'ms'],
+    [0, 's'],
+  ])
+    assert.ok(!isNear(ASKED, value, unit));
 });
 
 test('lines are mixed, each is there once, and never in their right order', () => {

@@ -138,7 +138,7 @@ test('a dropped body is let go, bounces, and lies still after all of its bounces
     events.map(([t]) => t),
     [0, 0.452, 0.904, 1.355],
   );
-  assert.match(events[1][1], /4\.43\sm\/s\..*0\.5\s.*25\.0\s%/);
+  assert.match(events[1][1], /4\.43\sm\/s\..*50\.0\s%.*25\.0\s%/);
   assert.match(events[2][1], /2\.21\sm\/s/); // it has fallen from a quarter
   assert.equal(fallEvents(fallOf(bounced(rows, { ...FALL, rest: null }))).length, 3);
   assert.equal(fallOf({}), null);

@@ -153,3 +153,21 @@ def test_solve_refuses(arguments, key):
     with pytest.raises(SceneError) as refused:
         solvers.solve(SCENES["fixed-rod"], **arguments)
     assert refused.value.key == key
+
+
+@pytest.mark.parametrize("young", [1e-3, 1.0, 900.0])
+@pytest.mark.parametrize("contact", ["rigid", "linear"])
+@pytest.mark.parametrize("method", ["waves", "modal", "fe-nodal"])
+def test_benchmarks_without_dimensions_are_scenes(young, contact, method):
+    """E = 900, rho = 1, L = 10 and the like: the same shares as of steel, of like impedance and stiffness ratios."""
+
+    def solved(young: float, density: float, length: float, speed: float):
+        rod = {"kind": "rod", "length": length, "section": {"area": 1.0}, "support": "fixed"}
+        rod["material"] = {"young": young, "density": density}
+        law = {"law": contact} | ({"stiffness": 3.0 * young / length} if contact == "linear" else {})
+        impactor = {"mass": 0.7 * density * length, "velocity": speed}
+        scene = solvers.Scene.from_table({"impactor": impactor, "target": rod, "contact": law})
+        return solvers.solve(scene, method).impactor_velocity / speed
+
+    speed = 1e-3 * young**0.5
+    assert solved(young, 1.0, 10.0, speed) == pytest.approx(solved(210e9, 7900.0, 0.3, 1.0), abs=1e-9)

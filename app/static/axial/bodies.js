@@ -4,8 +4,9 @@ import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
 import { length } from '../text/format.js';
+import { barsOf } from './traces.js';
 
-/** @import { AxialFrame } from '../messages.js' */
+/** @import { AxialFrame, RodRecord } from '../messages.js' */
 
 const LEAST_FOR_LENGTH = 50; // pixels of a specimen, where there is room to say how long it is
 
@@ -314,4 +315,30 @@ export function specimen(c, { from, to }, place, { middle, thick }) {
   c.fillStyle = COLORS.faint;
   c.textBaseline = 'top';
   c.fillText(text('axial.stage.wider', { length: length(to - from) }), x, middle + thick / 2 + 4);
+}
+
+/**
+ * What the bars around a specimen are called, where they have room.
+ * @param {CanvasRenderingContext2D} c
+ * @param {AxialFrame} frame
+ * @param {(x: number) => number} place
+ * @param {{ middle: number, thick: number }} lies
+ */
+export function barNames(c, frame, place, { middle, thick }) {
+  const { rods } = frame;
+  const [before, after] = (barsOf(frame) ?? []).map((number) => rods[number]);
+  const named = [
+    [rods.find(({ from }) => from < 0), text('axial.stage.striker')],
+    [before, text('axial.stage.first-bar')],
+    [after, text('axial.stage.second-bar')],
+  ];
+  c.fillStyle = COLORS.faint;
+  c.font = letters(13);
+  c.textAlign = 'center';
+  c.textBaseline = 'alphabetic';
+  for (const [rod, words] of /** @type {[RodRecord | undefined, string][]} */ (named)) {
+    if (!rod) continue;
+    const [left, right] = [place(rod.from), place(rod.to)];
+    if (c.measureText(words).width < right - left) c.fillText(words, (left + right) / 2, middle - thick / 2 - 8);
+  }
 }

@@ -12,6 +12,7 @@ import { called } from '../text/words.js';
 import { betweenOf, forcesOf, movementsOf } from './cradle.js';
 import { drawnFromOther } from './drawn.js';
 import { RigidField } from './fields.js';
+import { forceOf } from './force.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Picture, Series } from '../charts/chart.js' */
@@ -189,7 +190,7 @@ export class Force {
   /** @param {AxialFrame} frame */
   load(frame) {
     const { modalForce, other } = frame;
-    this.exact = { x: frame.exactTime, y: frame.exactForce };
+    this.exact = forceOf(frame);
     const impulse = other?.sudden; // without a height
     this.other = impulse ? null : pair(frame.otherTime, frame.otherForce);
     this.raw = null;

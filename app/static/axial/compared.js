@@ -7,6 +7,7 @@ import { listed, verdict } from '../compare/resolution.js';
 import { given } from '../wire/message.js';
 import { text } from '../text/catalogue.js';
 import { engineering, percent, signed } from '../text/format.js';
+import { forceOf } from './force.js';
 
 /** @import { Samples } from '../charts/scale.js' */
 /** @import { Histories } from '../compare/histories.js' */
@@ -73,7 +74,7 @@ function historiesOf(frame, which) {
   const exact = which === 'exact';
   const [impactor, struck] = exact ? [frame.exactMass, frame.exactEnd] : [frame.otherMass, frame.otherEnd];
   const path = (/** @type {Numbers | undefined} */ y) => scaled(pair(frame.motionTime, y), trip, speed * trip);
-  const force = exact ? { x: frame.exactTime, y: frame.exactForce } : otherForce(frame);
+  const force = exact ? forceOf(frame) : otherForce(frame);
   return {
     force: scaled(force, trip, forceUnit),
     impactor: path(impactor),

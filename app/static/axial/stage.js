@@ -8,7 +8,7 @@ import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { RigidField } from './fields.js';
 import { pushed } from './pushed.js';
-import { axis, endMass, masses, onward, push, runs, specimen, striker, struckBody, wall } from './bodies.js';
+import { axis, barNames, endMass, masses, onward, push, runs, specimen, striker, struckBody, wall } from './bodies.js';
 import { cradle, swing } from './cradle.js';
 import { scaleBar } from './scale_bar.js';
 import { placing, seamIn } from './traces.js';
@@ -228,7 +228,10 @@ export class Stage {
     this.place = placing([this.field.from, this.field.to], [left, right], seam);
     this.rods(c, middle, thick, this.scale);
     const rest = this.place(0);
-    if (seam) specimen(c, seam, this.place, { middle, thick });
+    if (seam) {
+      specimen(c, seam, this.place, { middle, thick });
+      barNames(c, this.frame, this.place, { middle, thick });
+    }
     if (target.rotation) axis(c, right, middle, thick);
     else if (target.support === 'fixed') wall(c, right, middle, thick);
     if (target.support === 'anechoic') onward(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);

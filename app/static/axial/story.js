@@ -1,6 +1,7 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { headOf, make, rowOf } from '../browser/dom.js';
-import { contactHead, Warnings, Events, headed, heading, lookCloser, noteOf, showEnergy } from '../frame/story.js';
+import { booksOpen, showEnergy, showOpenBooks } from '../frame/energy.js';
+import { contactHead, Warnings, Events, headed, heading, lookCloser, noteOf } from '../frame/story.js';
 import { times, unitOfTime } from '../clock/times.js';
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
@@ -105,7 +106,9 @@ export class Story {
     const asks = text('axial.one-number', { waves: frame.rods.length > 0 });
     this.asks.textContent = frame.exact.sudden ? text('axial.one-impulse') : asks;
     this.match.replaceChildren(...this.#match());
-    showEnergy(this.energy, toldOf(frame).energy, frame.rods.length ? ENERGIES : WITHOUT_WAVES);
+    const found = toldOf(frame);
+    if (booksOpen(found)) showOpenBooks(this.energy, found);
+    else showEnergy(this.energy, found.energy, frame.rods.length ? ENERGIES : WITHOUT_WAVES);
     this.warn();
     this.tell();
   }

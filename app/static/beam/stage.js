@@ -19,6 +19,7 @@ import { drawSupports } from './supports.js';
 
 const SMALL = letters(13);
 const SAME = 1.001;
+const ROOM_OF_COLOURS = 150; // pixels: of their scale and its words
 const LINE = 18; // pixels, from one line of words to the next
 const LEAST_FOR_DIAGRAMS = [180, 140]; // pixels of height, below which their words would lie on each other; if narrow
 const LEADS = { left: 0.3, edge: [48, 30], thick: [0.09, 0.16], striker: [0.24, 84] }; // shares, pixels: if it leads
@@ -352,7 +353,7 @@ export class BeamStage {
    * @param {CanvasRenderingContext2D} c
    */
   words(c) {
-    const { frame, narrow } = this;
+    const { frame, hit, narrow, struck } = this;
     c.fillStyle = COLORS.faint;
     c.font = letters(13);
     c.textBaseline = 'alphabetic';
@@ -361,8 +362,11 @@ export class BeamStage {
     c.fillText(words, 12, 18);
     const end = 12 + c.measureText(words).width;
     const model = called({ name: 'quasi-static', model: frame.staticModel });
-    if (this.predicts && !narrow) c.fillText(text('beam.stage.dashed', { model }), 12, 18 + LINE * larger);
-    if (this.coloured) legend(c, this, end);
+    const dashed = this.predicts && !narrow ? text('beam.stage.dashed', { model }) : '';
+    const beside = Math.max(end, 12 + c.measureText(dashed).width);
+    const above = struck - hit.size / 2 - beside > ROOM_OF_COLOURS * larger; // else below the scale of colours
+    c.fillText(dashed, 12, 18 + (above ? 1 : 3) * LINE * larger);
+    if (this.coloured) legend(c, this, above ? beside : end);
   }
   /** Whether anything has the colours of a field. */
   get coloured() {

@@ -1,7 +1,8 @@
 // What happens to a struck beam, in words and figures, tied to the moment shown.
 import { between } from '../charts/scale.js';
 import { headOf, make, rowOf } from '../browser/dom.js';
-import { contactHead, Warnings, Events, headed, heading, lookCloser, noteOf, showEnergy } from '../frame/story.js';
+import { booksOpen, showEnergy, showOpenBooks } from '../frame/energy.js';
+import { contactHead, Warnings, Events, headed, heading, lookCloser, noteOf } from '../frame/story.js';
 import { unitOfTime } from '../clock/times.js';
 import { duration, figures, prefixed, signed, speed } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
@@ -178,12 +179,13 @@ export class BeamStory {
   shares() {
     this.went.textContent = text('story.energy');
     const { law, main } = this.frame;
+    if (booksOpen(main)) return showOpenBooks(this.energy, main);
     const split = 'target_kinetic' in main.energy && 'target_strain' in main.energy;
     const yields = law.yields && main.byLaw;
     const inside = split ? ['target_kinetic', 'target_strain'] : ['target_vibration'];
     const names = this.parts();
     if (yields) names.dissipated = names.yielding;
-    const parts = ['impactor', 'target_rigid', ...inside, 'local', 'dissipated', 'drives'].filter(
+    const parts = ['impactor', 'target_rigid', ...inside, 'local', 'dissipated', 'drives', 'weight'].filter(
       (part) => names[part],
     );
     showEnergy(

@@ -1,4 +1,5 @@
 // One figure of a solution, as kinds of impacts hand them out.
+import { givenOf } from '../frame/energy.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Energies } from '../messages.js' */
@@ -18,7 +19,10 @@ export const figure = (key, size, value) => ({ key, name: text(`compare.figure.$
  * @param {Energies} energy
  * @returns {Figure[]}
  */
-export const energies = (energy) => [
-  figure('waves', 'share', (energy.target_vibration ?? 0) / energy.initial),
-  figure('lost', 'share', (energy.dissipated ?? 0) / energy.initial),
-];
+export const energies = (energy) => {
+  const { whole } = givenOf(energy);
+  return [
+    figure('waves', 'share', (energy.target_vibration ?? 0) / whole),
+    figure('lost', 'share', (energy.dissipated ?? 0) / whole),
+  ];
+};

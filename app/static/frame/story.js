@@ -1,14 +1,11 @@
 // What the stories of all kinds of impacts are made of: events, warnings, where the energy went.
-import { figures, percent, unbroken } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { aboutOf, changesOf } from '../form/settings.js';
 import { columnHead, make, scrolled } from '../browser/dom.js';
 
-/** @import { Energies, Frame } from '../messages.js' */
+/** @import { Frame } from '../messages.js' */
 
 /** @typedef {[t: number, sentence: string, name?: string]} Event  the name in a few words */
-
-const LEAST_SHARE = 5e-5; // of the energy, that is worth a word
 
 /** @param {string} [textContent] */
 export const heading = (textContent = '') => make('h2', { textContent });
@@ -74,36 +71,6 @@ export class Warnings {
     this.list.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
     this.list.hidden = this.heading.hidden = !notes.length;
   }
-}
-
-/**
- * Shares of the energy as a bar and in words; what is next to nothing is left out.
- * @param {HTMLElement} root
- * @param {Energies} energy
- * @param {[key: string, name: string][]} names
- * @param {boolean} [joules]  besides shares of the energy at first: where more is fed in
- */
-export function showEnergy(root, energy, names, joules = false) {
-  const fed = joules ? Math.max(-(energy.drives ?? 0), 0) : 0; // by drives, which take up what is positive
-  const whole = energy.initial + fed;
-  const shown = names.filter(
-    ([key]) => Math.abs(energy[key] ?? 0) >= LEAST_SHARE * whole && !(fed && key === 'drives'),
-  );
-  const shared = shown.every(([key]) => energy[key] > 0); // heights are counted from anywhere
-  const bar = make('div', { className: 'bar' });
-  const parts = shown.map(([key, name]) => {
-    const share = energy[key] / whole;
-    const piece = make('i', { className: key });
-    piece.style.flexGrow = String(Math.max(share, 0));
-    bar.append(piece);
-    const size = `${figures(energy[key])} J`;
-    const both = shared ? `${size} (${percent(share)})` : size;
-    const chip = make('i', { className: `chip ${key}` });
-    return make('span', { className: 'key' }, chip, unbroken(`${name} ${joules ? both : percent(share)}`));
-  });
-  const before = { initial: `${figures(energy.initial)} J`, given: Boolean(fed), fed: `${figures(fed)} J` };
-  const total = joules ? [make('p', { textContent: text('story.energy-before', before) })] : [];
-  root.replaceChildren(...total, bar, make('p', {}, ...parts));
 }
 
 /**

@@ -1,4 +1,5 @@
 // What happens in a frame, by the names that lesson files have; what it is worth, and its curves.
+import { forceOf } from '../axial/force.js';
 import { fallOf } from '../fall/fall.js';
 import { between } from '../charts/scale.js';
 import { cross, dot } from '../space/vectors.js';
@@ -200,7 +201,8 @@ export function lastContact(frame) {
 export function curveOf(frame, factor) {
   const axial = axialOf(frame);
   if (!axial) return { x: [], y: [] };
-  return { x: axial.exactTime, y: Array.from(axial.exactForce, (force) => force * axial.forceUnit * factor) };
+  const { x, y } = forceOf(axial);
+  return { x, y: Array.from(y, (force) => force * axial.forceUnit * factor) };
 }
 
 /**

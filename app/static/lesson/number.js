@@ -12,6 +12,7 @@ import { wordsOf } from './nodes.js';
 const NUMBER = /^([-+]?\d{0,12}(?:[.,]\d{0,12})?(?:e[-+]?\d{1,2})?)([^\d\s.,][^\d]{0,7})?$/i;
 const POWERS = 1e-9; // of ten, that are no whole ones
 const FAR = 9; // powers of ten that a unit can be off
+const NEAR = 0.03; // of the answer
 
 /**
  * @typedef {object} Asked  see app/lessons/lesson.py
@@ -65,6 +66,17 @@ export function judgeNumber({ answer, factors, mistakes, tolerance, unit: own, u
     return each.numbers.some((digits) => near(value, digits));
   });
   return { right: false, mistake };
+}
+
+/**
+ * Whether a number that is not right is off by no more than one that was rounded, or read off a line.
+ * @param {Asked} asked
+ * @param {number} value
+ * @param {string} unit
+ */
+export function isNear({ answer, factors, unit: own, units }, value, unit) {
+  const factor = (/** @type {string} */ name) => factors[units.indexOf(name)] ?? 1;
+  return Math.abs((value * factor(unit)) / factor(own) - answer) <= NEAR * Math.abs(answer);
 }
 
 /**
@@ -128,10 +140,22 @@ export class NumberQuestion {
   /**
    * @param {number} said  of the mistakes
    * @param {boolean} right
+   * @param {Trial} [trial]
    */
-  #judged(said, right) {
+  #judged(said, right, trial) {
+    return saidOf(right, this.#sentences(said, right, trial));
+  }
+  /**
+   * @param {number} said  of the mistakes
+   * @param {boolean} right
+   * @param {Trial} trial
+   */
+  #sentences(said, right, trial = this.answer) {
     const { mistakes, no, yes } = this.part;
-    return saidOf(right, right ? yes : (mistakes[said]?.say ?? no));
+    if (right) return yes;
+    const found = read(trial.written, this.part.units);
+    const near = found && isNear(this.part, found.value, trial.unit) && [{ kind: 'text', text: text('lesson.near') }];
+    return mistakes[said]?.say ?? (near || no);
   }
   #check() {
     const { answer, input, lesson, part, unit } = this;
@@ -152,7 +176,7 @@ export class NumberQuestion {
     if (right) lesson.answered(wordsOf(part.yes));
     else {
       lesson.keep();
-      lesson.speak(wordsOf(part.mistakes[mistake]?.say ?? part.no));
+      lesson.speak(wordsOf(this.#sentences(mistake, false)));
       input.focus();
       input.select();
       brought(this.root);
@@ -165,7 +189,7 @@ export class NumberQuestion {
     const found = read(first.written, part.units);
     const words = make('p', { textContent: found ? quantityWords(found.value, first.unit) : '–' });
     const tries = afterwards(answer.tries, answer.done && !first.done);
-    const mine = make('div', {}, words, this.#judged(first.said, first.done), ...tries);
+    const mine = make('div', {}, words, this.#judged(first.said, first.done, first), ...tries);
     return first.done ? [mine] : [mine, make('p', { textContent: quantityWords(part.answer, part.unit, 4) })];
   }
 }

@@ -1,7 +1,7 @@
 // What happens as a mechanism moves on: its impacts, one after the other, and what each gives to its joints.
 import { headOf, make, rowOf } from '../browser/dom.js';
 import { given } from '../wire/message.js';
-import { showEnergy } from '../frame/story.js';
+import { booksOpen, showEnergy, showOpenBooks } from '../frame/energy.js';
 import { unitOfTime } from '../clock/times.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, speed } from '../text/format.js';
@@ -115,6 +115,7 @@ export function impactTable(table, frame, go) {
  * @param {MechanismFrame} frame
  */
 export function movingShares(root, frame) {
+  if (booksOpen(frame.main)) return showOpenBooks(root, frame.main);
   const energies = given(frame.energies, 'energies');
   const { energies: names } = given(frame.moving, 'moving');
   const last = names.map((name, k) => [OF_COLOURS[name] ?? name, energies[energies.length - names.length + k]]);

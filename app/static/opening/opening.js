@@ -61,7 +61,7 @@ function planOf(search) {
   return asked ?? (query.size ? named : kept(PLAN, 'opening'));
 }
 
-const TOLD = ['scene', 'law', 'method', 'restitution']; // by the source of a scene, where a link does not hide them
+const SOURCED = ['scene', 'law', 'method', 'restitution']; // by the source of a scene, where a link does not hide them
 
 export class Opening {
   /** @type {Plan} */ plan = planOf(alone ? window.location.search : '');
@@ -287,7 +287,7 @@ export class Opening {
     if (this.closer.dataset.said === source) return;
     this.closer.dataset.said = source;
     const { hidden } = this.page.changes.held;
-    const told = TOLD.some((name) => hidden.has(name)) ? '' : source;
+    const shown = SOURCED.some((name) => hidden.has(name)) ? '' : source;
     const enter = (/** @type {string} */ textContent, /** @type {() => void} */ onclick) =>
       make('button', { type: 'button', textContent, onclick });
     const laboratory = enter(text(carried ? 'offline.laboratory' : 'opening.laboratory'), () => this.#leave());
@@ -297,7 +297,7 @@ export class Opening {
       make('span', { textContent: text('opening.closer') }),
       ...tabs,
       ...((carried ? carried.laboratory : !framed) ? [laboratory] : []),
-      make('span', { className: 'source', textContent: told && text('opening.source', { source }) }),
+      make('span', { className: 'source', textContent: shown && text('opening.source', { source }) }),
     );
   }
   /** To the laboratory, which another place has where there is no server. */

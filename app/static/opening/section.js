@@ -108,7 +108,11 @@ export class Section {
    * @param {Scene | null} shown  nothing of bodies that have no rows
    */
   draw(shown) {
-    if (this.lone && shown) shown = withBesides(shown, [...this.besides, ...this.first], this.called, this.page.frame);
+    if (this.lone && shown) {
+      const beside = [...this.besides, ...this.first];
+      shown = withBesides(shown, beside, this.called, this.page.frame);
+      if (!beside.length) shown = { ...shown, by: '' }; // a lesson about one solution does not weigh it
+    }
     this.shown = shown;
     this.root.hidden = !shown;
     this.page.root.classList.toggle('rowless', !shown);

@@ -2,6 +2,7 @@
 import { Figure } from '../charts/figure.js';
 import { make } from '../browser/dom.js';
 import { shownIn } from '../clock/times.js';
+import { openOf } from '../frame/energy.js';
 import { family, text } from '../text/catalogue.js';
 import { figures, percent } from '../text/format.js';
 import { Panel } from './panel.js';
@@ -14,6 +15,7 @@ import { Panel } from './panel.js';
  * @property {number[]} time
  * @property {string} unit  of time
  * @property {number} fed  what drives have brought in by the end [%]
+ * @property {number | null} gap  the share that is unaccounted for, where shares would tell nothing
  * @property {{ key: string, values: number[] | null }[]} parts  [%]; null: not of this scene
  */
 
@@ -52,6 +54,9 @@ function endOf({ fed, parts, time, unit }) {
   });
 }
 
+/** @param {Shares} found */
+const saidOf = (found) => (found.gap === null ? endOf(shownOf(found)) : openOf(found.gap));
+
 class Energy extends Panel {
   /** @type {Shares | null} */ drawn = null;
   factor = 1; // of times, for the unit shown
@@ -75,7 +80,8 @@ class Energy extends Panel {
    */
   render(found, fresh) {
     this.root.ariaBusy = String(!fresh);
-    this.said.textContent = found ? endOf(shownOf(found)) : text('energy.idle');
+    this.said.textContent = found ? saidOf(found) : text('energy.idle');
+    this.figure.root.hidden = typeof found?.gap === 'number';
     if (!found || !this.figure || found === this.drawn) return;
     this.drawn = found;
     const { factor, parts, time, unit } = shownOf(found);

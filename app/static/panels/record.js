@@ -6,11 +6,11 @@ import { make } from '../browser/dom.js';
 import { served } from '../browser/home.js';
 import { commaOf, numberInput } from '../form/number_field.js';
 import { said, text } from '../text/catalogue.js';
-import { figures, localised, signed } from '../text/format.js';
+import { duration, figures, localised, signed } from '../text/format.js';
 import { factorOf, typed } from '../text/units.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { AxialFrame, Frame } from '../messages.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 /** @typedef {'strain' | 'stress' | 'force'} Kind */
@@ -68,7 +68,7 @@ class Measurement {
     const part = { name: 'record', title: text('record.figure'), about: text('record.about') };
     this.figure = new Figure('record', [{ ...part, numbers: () => this.#numbers() }]);
     this.figure.whenReady(() => {
-      const go = (/** @type {{ x: number }} */ { x }) => page.player.seek(Math.max(x, 0));
+      const go = (/** @type {{ x: number }} */ { x }) => page.player.seek(Math.max(x, 0) * this.unit);
       this.figure.model('record').on_event('tap', go);
     });
     const onchange = () => this.ask();
@@ -152,6 +152,10 @@ class Measurement {
     this.overlay();
     this.page.drawCharts();
   }
+  /** Of the clock [s of a beam, T of others], in T. */
+  get unit() {
+    return 'main' in this.page.frame ? (this.answer?.trip ?? 1) : 1;
+  }
   #showOpen() {
     this.root.hidden = !this.open;
     this.button.ariaPressed = String(this.open);
@@ -182,7 +186,7 @@ class Measurement {
   take(frame) {
     const away = !this.forKinds.includes(frame.kind);
     this.button.disabled = away;
-    this.button.hidden = 'main' in frame;
+    this.button.hidden = frame.kind === 'mechanism';
     this.button.title = text(away ? 'record.in-space' : 'record.title');
     this.#showOpen();
     this.root.classList.toggle('away', away);
@@ -193,14 +197,14 @@ class Measurement {
   // One question at a time; when it is answered, the newest one is asked.
   async ask() {
     const { frame, names, waiter } = this.page;
-    if (!this.file || !this.open || !('forceUnit' in frame)) return;
+    if (!this.file || !this.open || !this.forKinds.includes(frame.kind)) return;
     if (this.asking) {
       this.again = true;
       return;
     }
     const unclear = commaOf(this.at.value);
     if (unclear) {
-      this.answered({ error: unclear }, frame);
+      this.answered({ error: unclear });
       return;
     }
     this.asking = true;
@@ -220,7 +224,7 @@ class Measurement {
     if (this.again) {
       this.again = false;
       this.ask();
-    } else this.answered(answer, frame);
+    } else this.answered(answer);
   }
   /**
    * @param {URLSearchParams} query
@@ -239,13 +243,12 @@ class Measurement {
   }
   /**
    * @param {Compared | { error: string }} answer
-   * @param {AxialFrame} frame
    */
-  answered(answer, frame) {
+  answered(answer) {
     const refusal = 'error' in answer ? answer.error : null;
     if (refusal !== this.refusal) this.wrong.textContent = refusal; // said once, not at every step of a slider
     this.refusal = refusal;
-    this.answer = 'error' in answer ? null : { ...answer, trip: frame.trip };
+    this.answer = 'error' in answer ? null : answer;
     this.at.placeholder = localised(String(this.answer?.at ?? '–')); // as the file says it, where nothing is typed
     this.result.hidden = !this.answer;
     if (this.answer) {
@@ -363,6 +366,7 @@ class Measurement {
     const { kind } = answer;
     this.said.textContent = [
       text('record.residual-of', { kind }),
+      ...('main' in this.page.frame ? [text('record.period', { period: duration(answer.trip) })] : []),
       ...(answer.recovered ? [text('record.drawn', { kind })] : []),
       ...answer.notes.map(said),
     ].join(' ');
@@ -370,7 +374,7 @@ class Measurement {
   draw() {}
   /** @param {number} t */
   show(t) {
-    this.figure.cursor('record-cursor', t);
+    this.figure.cursor('record-cursor', t / this.unit);
   }
 }
 

@@ -101,6 +101,7 @@ export const wordsOf = ({ chosen, parts }) =>
       const { part, quantity } = partsOfKey(key);
       const shown = quantity === 'material' ? named('material', value) : written(quantity, Number(value));
       const name = text(`body.value.${quantity}`);
-      return text('bodies.changed', { name, shown, body: part.startsWith('impactor') ? 1 : 2, ...placeOf(part, parts) });
+      const body = part.startsWith('impactor') ? 1 : 2;
+      return text('bodies.changed', { name, shown, body, ...placeOf(part, parts) });
     })
     .join(', ');

@@ -12,7 +12,7 @@ import numpy as np
 from ... import validation
 from ...numerics.beams.dispersion import BeamLine
 from ...numerics.multibody import shapes, system
-from ...validation import SceneError, allowed, told
+from ...validation import SceneError, allowed, bound_beside
 from ..beams import THEORIES
 from ..lumped import MASS_RANGE
 from ..material import LENGTH_RANGE, Material, read_material
@@ -237,8 +237,8 @@ def _check_flexible(
         if value is None:
             raise SceneError(f"{key}.{word}", None, allowed("flexible-link", link=name))
     if section is not None and length > (most := MOST_SLENDER * math.sqrt(section.area)):
-        raise SceneError(f"{key}.to", length, allowed("link-slender", link=name, most=told(most, length, 3)))
+        raise SceneError(f"{key}.to", length, allowed("link-slender", link=name, most=bound_beside(most, length, 3)))
     if section is not None and length < (least := LEAST_SLENDER * math.sqrt(section.area)):
-        raise SceneError(f"{key}.to", length, allowed("link-thick", link=name, least=told(least, length, 3)))
+        raise SceneError(f"{key}.to", length, allowed("link-thick", link=name, least=bound_beside(least, length, 3)))
     if modes and section is not None and section.second_moment is None:
         raise SceneError(f"{key}.section.second_moment", None, allowed("second-moment"))

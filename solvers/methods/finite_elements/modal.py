@@ -185,9 +185,8 @@ class FeModal(FiniteElements):
         instants, rows = slice(0, steps + 1), slice(0, steps + 1, plan.stride)
         bodies, times = (scene.impactor, scene.target), plan.step * np.arange(steps + 1)
         split = modes[1].frequencies.size  # the record holds the target's modes first, the impactor's with their sign
-        snapshots = [
-            values[: times[rows].size] for values in (record.checkpoint_displacement, record.checkpoint_velocity)
-        ]
+        kept = record.checkpoint_displacement, record.checkpoint_velocity
+        snapshots = [values[: times[rows].size] for values in kept]
         impactor, target = ((record.position, record.velocity), (record.rigid_position, record.rigid_velocity))
         fall, begun = scene.weight_acceleration, [-v[:, split:] for v in snapshots]
         sides = (
@@ -197,9 +196,8 @@ class FeModal(FiniteElements):
         push, depth = record.contact_force[:steps], record.indentation[instants]
         force = 0.5 * (np.append(push[:1], push) + np.append(push, push[-1:]))
         deepest = np.maximum(np.maximum.accumulate(depth), 0.0)
-        stored = np.array(
-            [law.stored(a, most) for a, most in zip(depth[rows].tolist(), deepest[rows].tolist(), strict=True)]
-        )
+        deep = zip(depth[rows].tolist(), deepest[rows].tolist(), strict=True)
+        stored = np.array([law.stored(a, most) for a, most in deep])
         lost = given_up(law, stored, np.arange(steps + 1)[rows], push)
         energies = [side.energies() for side in sides]
         gained = np.append(0.0, np.cumsum(push)) * plan.step

@@ -332,8 +332,8 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
         if not apart:
             touched = done
         elif count is None and record.rigid_velocity[done] > record.velocity[done]:
-            last = last_touch(scene, law, record, step, done)
-            if last == done:
+            seen = last_touch(scene, law, record, step, done) + math.ceil(AFTERGLOW * scene.time_unit / step)
+            if seen > done:
                 continue
             swings = np.hypot(displacement, velocity).sum() + spring.compliance * abs(record.spring_force[done])
             if alike or record.rigid_position[done] - record.position[done] > swings:
@@ -342,7 +342,7 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
                 how = End.MAY_TOUCH
             else:
                 continue
-            done = min(done, last + math.ceil(AFTERGLOW * scene.time_unit / step))
+            done = seen
             break
     return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), how, resting)
 

@@ -5,10 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from ...numerics.parting import reach
-from ...numerics.waves.parted import of_part
+from ...numerics.parting import backwards, reach
+from ...numerics.waves.energies import first_energy
+from ...numerics.waves.parted import mass_and_momentum, of_part
 from ...numerics.waves.parts import ABSORBING, LAW, RIGID_FACES, Chain
-from ...numerics.waves.record import SPEED, TOTAL_LEFT, TOTAL_RIGHT
+from ...numerics.waves.record import OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 
 
 def clear(history: Any, steps: int) -> bool:
@@ -22,6 +23,9 @@ def clear(history: Any, steps: int) -> bool:
     speed = drift - pushed[node][-1] / first_mass
     place = drift * t - history.step * pushed[node].sum() / first_mass
     ahead = _part(history, 0, node, t)[3] if node else 0.0
+    alone = node == history.contact and len(opening) > 1 and not chain.spring
+    if alone and _out_of_reach(history, opening[1], pushed, (speed, place, ahead), t):
+        return True
     for node, following in zip(opening, [*opening[1:], None], strict=True):
         mass, moving, back, front = _part(history, node, last if following is None else following, t)
         gained = history.step * (pushed[node].sum() - (0.0 if following is None else pushed[following].sum()))
@@ -33,6 +37,20 @@ def clear(history: Any, steps: int) -> bool:
             return False
         speed, place, ahead = moving, there, front
     return True
+
+
+def _out_of_reach(history: Any, following: int, pushed: Any, impactor: tuple[float, float, float], t: float) -> bool:
+    """As in `numerics.waves.parted`: from the sums of forces that went through the joints."""
+    chain, node, (speed, place, ahead) = history.chain, history.contact, impactor
+    whole, momentum = mass_and_momentum(chain)
+    mass = float(chain.impedance[node:following] @ chain.transit[node:following])
+    energy = first_energy(chain) - 0.5 * history.given.masses[-1] * speed**2
+    last = len(history.laws) - 1
+    if _endless(chain, last):
+        energy -= history.squares(last - 1, OUT_RIGHT, 0.0, t) / float(chain.impedance[last - 1])
+    fastest, free = backwards(energy, momentum + pushed[node][-1], mass, whole)
+    there = chain.drift[node] * t + history.step * (pushed[node].sum() - pushed[following].sum()) / mass
+    return bool(-speed > fastest and there - place > ahead + reach(free, of_part(chain, node, following)[1]))
 
 
 def _part(history: Any, begin: int, end: int, t: float) -> tuple[float, float, float, float]:

@@ -142,7 +142,9 @@ class Waves(Method):
             residual, abs(diagnostics["momentum_error"]), tolerance
         )
         if history.doubtful:
-            diagnostics["estimated_error"] += may_gain(scene, found, End.MAY_TOUCH)
+            left = history.energy_left(history.reach) * scene.initial_energy - found["energy"]["impactor"]
+            still = {"energy": found["energy"] | {"target_vibration": min(found["energy"]["target_vibration"], left)}}
+            diagnostics["estimated_error"] += may_gain(scene, found | still, End.MAY_TOUCH)
         return Solution(
             scene=scene,
             method=self.table(),

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...jit.kernels import inner_kernel
+from ...jit.kernels import inner_kernel, kernel
 from .record import OUT_LEFT, OUT_RIGHT, TOTAL_LEFT, TOTAL_RIGHT, sample_at, square_integral
 
 
@@ -24,7 +24,7 @@ def rod_energy(chain, record, rod, t):
     return 0.5 * z * lag * drift**2 + drift * inside(chain, record, rod, t) + held / z
 
 
-@inner_kernel
+@kernel
 def first_energy(chain):
     """Of rods and masses before the impact."""
     energy = 0.0

@@ -38,7 +38,8 @@ class Work(NamedTuple):
 
 def new_work() -> Work:
     rows = np.zeros((8 + 3 * STAGES, POINTS))
-    return Work(*rows[:7], rows[7], *(rows[8 + k * STAGES : 8 + (k + 1) * STAGES] for k in range(3)))
+    matrix, slows, shifts = (rows[8 + k * STAGES : 8 + (k + 1) * STAGES] for k in range(3))
+    return Work(*rows[:7], slopes=rows[7], matrix=matrix, slows=slows, shifts=shifts)
 
 
 def law_kernel(kind: type) -> Callable:

@@ -7,10 +7,10 @@ sqrt(2 E M), goes into it, and moves its face by P / Z in all.
 import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
-from ..parting import WATCHED_PERIODS, reach, swing_and_give
-from .energies import inside, rod_energy
+from ..parting import WATCHED_PERIODS, backwards, reach, swing_and_give
+from .energies import first_energy, inside, rod_energy
 from .parts import ABSORBING, opens
-from .record import IMPULSE, PLACE, SPEED, TOTAL_RIGHT, integral, sample_at
+from .record import IMPULSE, OUT_RIGHT, PLACE, SPEED, TOTAL_RIGHT, integral, sample_at, square_integral
 
 TRANSITS = 4.0  # of the whole chain for which no faces may touch at least: a period of one uniform rod that is fixed
 
@@ -90,8 +90,48 @@ def _part(chain, record, begin, end, t):
 
 
 @kernel
+def mass_and_momentum(chain):
+    """Of what is struck, before the impact; its mass is infinite where it is held."""
+    last = chain.kind.size - 1
+    whole = np.inf if _endless(chain, last) else chain.mass_right[last]
+    momentum = whole * chain.mass_drift[last] if 0.0 < whole < np.inf else 0.0
+    for rod in range(chain.contact, chain.transit.size):
+        mass = chain.impedance[rod] * chain.transit[rod]
+        whole += mass
+        momentum += mass * chain.drift[rod]
+    return whole, momentum
+
+
+@inner_kernel
+def _out_of_reach(chain, record, impactor, t):
+    """Whether the impactor, one body, leaves faster than the first of several parts can come after it: see `backwards`.
+
+    impactor: its mass, velocity, place, and how far its face reaches. What laws have lost counts as if it were left.
+    """
+    (striker, speed, place, ahead), node, last, following = impactor, chain.contact, chain.kind.size - 1, chain.contact
+    if chain.spring > 0.0 or node == last:
+        return False
+    mass = 0.0
+    while following < last and (following == node or not opens(chain, following)):
+        mass += chain.impedance[following] * chain.transit[following]
+        following += 1
+    if following == last:
+        return False
+    whole, momentum = mass_and_momentum(chain)
+    momentum += sample_at(record, node, IMPULSE, t, np.bool_(True))
+    energy = first_energy(chain) - 0.5 * striker * speed**2
+    if _endless(chain, last):
+        energy -= square_integral(record, last - 1, OUT_RIGHT, 0.0, t) / chain.impedance[last - 1]
+    fastest, free = backwards(energy, momentum, mass, whole)
+    passed = integral(record, node, IMPULSE, t) - integral(record, following, IMPULSE, t)
+    there = chain.drift[node] * t + passed / mass
+    return -speed > fastest and there - place > ahead + reach(free, of_part(chain, node, following)[1])
+
+
+@kernel
 def clear(chain, record, first_mass, t):
-    """Whether at a time all parts move apart as wholes, and are further apart than their faces reach.
+    """Whether at a time all parts move apart as wholes, and are further apart than their faces reach, or the impactor
+    is out of reach of all that it has struck.
 
     first_mass: of the first part. Parts lie between joints that can open.
     """
@@ -103,6 +143,8 @@ def clear(chain, record, first_mass, t):
     place = drift * t - passed / first_mass
     if node > 0:
         ahead = _part(chain, record, 0, node, t)[3]
+    if node == chain.contact and _out_of_reach(chain, record, (first_mass, slower, place, ahead), t):
+        return True
     while True:
         following = node + 1 if node < last else last
         while following < last and not opens(chain, following):

@@ -8,6 +8,7 @@ from app.choices.choices import SCENES, SOLVED_BY, Choices, accepts, refusal, st
 from app.choices.mechanism import mechanism_changes
 from app.choices.own import KEPT, LONGEST, LONGEST_TEXT, check_modes, line_of, own_scene
 from app.choices.scene_of import acting_choices, chosen_scene, kind_name, own_choices
+from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
 from app.page.address import from_address
 from app.text.refusals import Refused
@@ -177,3 +178,39 @@ def test_lines_of_keys():
     text = "a = 1\n[target]\nkind = 'rods'\n[[target.rods]]\nlength = 1\n[[target.rods]]\nlength = 2\n"
     keys = ("a", "target.kind", "target.rods[1].length", "target.rods[2].length", "target.none", "b")
     assert [line_of(text, key) for key in keys] == [1, 3, 5, 7, 2, 0]
+
+
+STEPPED = """\
+[impactor]
+kind = "rods"
+velocity = 10.0
+end_mass = 0.5
+rods = [
+    { length = 0.4, section = { radius = 0.008 }, material = "steel" },
+    { length = 0.38, section = { radius = 0.012 }, material = "steel" },
+]
+[target]
+"""
+STRUCK = {
+    "rod": 'length = 1.0\nsection = { radius = 0.01 }\nmaterial = "steel"\nsupport = "free"',
+    "stop": "",
+    "mass": "mass = 3.0",
+    "spring-mass": "mass = 1.0\nstiffness = 1e7",
+}
+
+
+@pytest.mark.parametrize("kind", STRUCK)
+def test_a_striker_of_sections_is_drawn_and_its_sections_can_be_changed(kind):
+    text = STEPPED + f'kind = "{kind}"\n{STRUCK[kind]}\n'
+    chosen = own_choices(named(text))
+    message = solve_frame(chosen)
+    header = read_header(message)
+    assert header["exact"]["name"] == "waves" and header["impactor"]["kind"] == "rod"
+    if kind == "rod":
+        sections = [(each["from"], each["to"]) for each in header["rods"]]
+        assert sections == [(pytest.approx(-0.78), pytest.approx(-0.4)), (pytest.approx(-0.4), 0.0), (0.0, 1.0)]
+        assert [each["joint"] for each in header["rods"]] == [None, "bonded", None]
+    keys = [part["key"] for part in header["parts"]]
+    assert keys[:4] == ["impactor", "target", "impactor.rods.1", "impactor.rods.2"]
+    longer = read_header(solve_frame(chosen | {"bodies": "impactor.rods.1.length=0.6"}))
+    assert longer["trip"] >= header["trip"] and longer["impactor"]["mass"] > header["impactor"]["mass"]

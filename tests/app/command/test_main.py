@@ -105,3 +105,14 @@ def test_bytes_that_are_no_text_do_not_end_in_a_traceback(tmp_path):
         done = subprocess.run([command, *words], cwd=tmp_path, capture_output=True, timeout=SECONDS)
         assert b"Traceback" not in done.stderr
         assert done.returncode in (0, 2)
+
+
+def test_a_port_that_browsers_refuse_is_warned_of(monkeypatch, capsys):
+    """It is served none the less: not only browsers ask."""
+    served = []
+    monkeypatch.setattr("app.serving.server.serve", lambda *given: served.append(given[0]) or 0)
+    monkeypatch.setattr("app.command.serve._port", lambda port, address: [])
+    for port, warned in (("5060", True), ("5061", True), ("6000", True), ("5062", False)):
+        assert main(["serve", "--port", port]) == 0
+        assert (f"Browsers refuse port {port}" in capsys.readouterr().err) == warned
+    assert served == [5060, 5061, 6000, 5062]

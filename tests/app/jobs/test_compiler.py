@@ -24,6 +24,7 @@ from solvers.jit import cache
 from solvers.jit.cache import all_compiled
 from solvers.jit.compiling import NotCompiled
 
+from ...patience import SECONDS
 from ..conftest import Page
 from ..servers import free_port
 from ..socket_client import run
@@ -172,7 +173,7 @@ def gated_page(browser, monkeypatch):
             server.io_loop.start()
 
         threading.Thread(target=serve, daemon=True).start()
-        assert ready.wait(180) and not failed  # a first compilation
+        assert ready.wait(SECONDS) and not failed  # a first compilation
         page = Page(browser, f"127.0.0.1:{port}", query, drawn="solve_frame" not in names)
         stop.append(page.context.close)
         return page, gate

@@ -172,3 +172,12 @@ def test_contacts_of_the_method_beside_are_seen_to_their_end():
     found = read_header(solve_frame(wished))
     assert not found["other"]["stillTouching"]
     assert found["other"]["contacts"][-1][1] < 0.9 * found["duration"]
+
+
+@pytest.mark.parametrize("law", ["linear", "kelvin-voigt", "hunt-crossley", "plastic-linear"])
+@pytest.mark.parametrize("speed", [0.05, 0.5, 3.0])
+def test_a_drop_that_stays_is_drawn_to_its_end(law, speed):
+    """One that never leaves is solved for so long only, in its contact: no force is asked of a step beyond."""
+    slow = choices_of("drop-test") | {"law": law, "linear_stiffness": 1e3, "restitution": 0.2, "speed": speed}
+    found = read_header(solve_frame(Choices(scene="drop-test", **slow).chosen()))
+    assert found["exact"]["contacts"] and found["duration"] > 0.0

@@ -5,6 +5,7 @@ import time
 import urllib.error
 import urllib.request
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import pytest
 
@@ -16,7 +17,8 @@ from app.lessons.shipped import FOLDER, shipped_lesson
 from tests.app.lessons.written import CHOICE, HEAD, SUMMARY, fence, nodes_in
 from tests.app.sentences import sentence
 
-SENT_SECONDS = 60.0
+from ...patience import SECONDS
+
 GOAL = 'slider = "mass_ratio"\nrange = [0.5, 9]\nstart = 0.8\ngoal = "contacts = 7"\nnot-yet = "No."\n'
 
 
@@ -25,7 +27,7 @@ def post(address: str, content: bytes, **headers: str):
     headers = {"Origin": f"http://{address}"} | headers
     try:
         asked = urllib.request.Request(f"http://{address}/lesson", content, headers)
-        with urllib.request.urlopen(asked, timeout=SENT_SECONDS) as answer:
+        with urllib.request.urlopen(asked, timeout=SECONDS) as answer:
             return answer.status, json.load(answer)
     except urllib.error.HTTPError as refused:
         answer = json.load(refused)
@@ -42,9 +44,21 @@ def refused(content: str | bytes) -> list[tuple[int, str]]:
 
 @pytest.mark.parametrize("name", ["bounce-twice", "what-an-impact-is"])
 def test_a_lesson_is_answered_as_the_page_draws_it(server, name):
-    status, answer = post(server, (FOLDER / f"{name}.md").read_bytes())
+    content = (FOLDER / f"{name}.md").read_bytes()
+    while not json.loads(try_own(content, "en"))["whole"]:  # what is not compiled yet takes longer than a text may
+        pass
+    status, answer = post(server, content)
     assert status == 200 and answer["whole"] is True
-    assert answer["lesson"] == json.loads(json.dumps(lesson_record(shipped_lesson(name))))
+    assert alike(answer["lesson"], json.loads(json.dumps(lesson_record(shipped_lesson(name)))))
+
+
+def alike(found: Any, known: Any) -> bool:
+    """The same, but for the digits of answers that are solved for here and were stored there."""
+    if isinstance(known, dict):
+        return found.keys() == known.keys() and all(alike(found[key], known[key]) for key in known)
+    if isinstance(known, list):
+        return len(found) == len(known) and all(map(alike, found, known))
+    return found == (pytest.approx(known, rel=1e-9) if isinstance(known, float) else known)
 
 
 def test_all_that_is_wrong_is_answered_by_line(server):
@@ -173,7 +187,7 @@ def test_the_slowest_scenes_of_several_visitors_hold_up_nobody(server):
         sent = [pool.submit(post, server, content) for _ in range(3)]
         alive = 0
         while not any(each.done() for each in sent):
-            with urllib.request.urlopen(f"http://{server}/liveness", timeout=SENT_SECONDS) as answer:
+            with urllib.request.urlopen(f"http://{server}/liveness", timeout=SECONDS) as answer:
                 alive += json.load(answer)["alive"]
             time.sleep(0.05)
         assert alive > 3

@@ -18,6 +18,8 @@ from app.serving.pages import APART, FIGURES, LIBRARIES, SCRIPTS, STATIC, VERSIO
 from solvers.text.catalogue import SOURCE
 
 from ...patience import SECONDS
+from ..conftest import Page
+from ..socket_client import SocketClient, run
 
 FILES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "sheets.css")} | dict(LIBRARIES)
 ADDRESSES = {address: text_of(file) for address, file in FILES.items()}
@@ -174,3 +176,19 @@ def test_lines_on_a_disk_are_joined_but_behind_a_comment_and_in_a_literal_that_s
     (tmp_path / "c.js").write_text("export const c = `d;\n  e`;\n")
     text = function(tmp_path, ["a.js", "c.js"], "run")
     assert "[\n1,2, // it's one;\n3,];const b = a;" in text and "`d;\n  e`" in text
+
+
+def test_a_bare_client_fetches_what_a_browser_does(browser, server):
+    """Else benches and tests of load see nothing of what scripts, styles and kernels cost."""
+    page = Page(browser, server, "")
+    page.wait("() => strikewave.page.own.answers !== null")
+    named = page.evaluate("() => performance.getEntriesByType('resource').map((each) => new URL(each.name).pathname)")
+    page.close()
+
+    async def visit():
+        client = await SocketClient(server).open()
+        client.close()
+        return await client.fetch()
+
+    own = {f"/{path.partition('?')[0]}" for path in run(visit())} - {"/favicon.ico"}
+    assert own == {path for path in named if not path.startswith(("/figures/", "/gallery/"))}

@@ -57,3 +57,13 @@ def test_a_mechanism_that_moves_on_has_its_energies_beside_its_picture():
     own = Choices(scene="four-bar", **choices_of("four-bar")).chosen()
     assert of_impacts(own) is not None and of_impacts(own | {"method": "multibody"}) is None
     assert of_impacts(own | {"bodies": "target.nothing=1"}) is None
+
+
+@pytest.mark.parametrize("law", ["linear", "kelvin-voigt"])
+def test_weight_is_part_of_the_whole_from_its_lowest_place(law):
+    """It falls on while it touches, a soft contact far, and rises again: no share is negative at any instant."""
+    own = choices_of("drop-test") | {"law": law, "linear_stiffness": 1e3, "speed": 0.2}
+    shares = energy_shares(Request.of(Choices(scene="drop-test", **own).chosen()))
+    parts = [shares[name] for name in COLOURS if name in shares]
+    assert np.sum(parts, axis=0) == pytest.approx(100.0, abs=1e-3) and np.min(parts) > -1e-6
+    assert shares["weight"].min() == 0.0 and shares["weight"][0] > 1.0 and shares["gap"] is None

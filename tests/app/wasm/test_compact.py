@@ -15,7 +15,7 @@ from .answered import by_node
 
 IMPACTS = 180
 CLOSE = 1e-11
-HARD = 0.05  # restitution of a hard damping: by less, bodies creep apart by forces of rounding
+HARD = 0.03  # restitution of a hard damping: by less, rounding of the rate moves the parting by more than 1e-10
 LAWS = [
     {"law": "hertz", "stiffness": 1e10},
     {"law": "power", "stiffness": 1e9, "exponent": 1.3},
@@ -53,21 +53,19 @@ def given_of(scene: Scene) -> list:
 
 
 @pytest.mark.browser  # needs Node
-def test_who_creeps_apart_does_so_once_or_is_left_to_the_server():
-    """By a march, forces of rounding come and go; what stands beside it has none."""
+def test_who_creeps_apart_does_so_once():
+    """By a march, forces of rounding come and go while the dent closes; what stands beside it has none."""
     scenes = [
         scene_of(name).replace({"contact": {"law": law, "stiffness": 1e9, "restitution": LEAST_RESTITUTION}})
         for name in ("two-balls", "figure-3.8")
         for law in ("hunt-crossley", "lankarani-nikravesh", "lee-wang")
     ]
     answers = by_node({"compact": [[*given_of(scene), False] for scene in scenes]})["compact"]
-    assert all(answers[k] for k in (2, 5))  # whose force comes to an end
     for scene, here in zip(scenes, answers, strict=True):
-        if here:
-            assert len(here["exact"]["contacts"]) == 1
-            assert here["exact"]["apart"] == pytest.approx(LEAST_RESTITUTION, abs=1e-6)
-            closed = QuasiStatic(model="local").solve(scene)
-            assert here["other"]["apart"] == pytest.approx(closed.restitution["newton"], abs=CLOSE)
+        assert len(here["exact"]["contacts"]) == 1
+        assert here["exact"]["apart"] == pytest.approx(LEAST_RESTITUTION, abs=1e-6)
+        closed = QuasiStatic(model="local").solve(scene)
+        assert here["other"]["apart"] == pytest.approx(closed.restitution["newton"], abs=CLOSE)
 
 
 @pytest.mark.browser  # needs Node

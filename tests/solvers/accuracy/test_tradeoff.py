@@ -9,7 +9,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from bench.tradeoffs import impacts_of, measure, outdated
+from bench.tradeoffs import impacts_of, outdated, renew
 from solvers import METHODS, ContactPeriod, SceneError, SceneNotSupported, TradeOff, tradeoff
 from solvers.accuracy import store
 from solvers.accuracy import tradeoff as measuring
@@ -292,13 +292,13 @@ def test_what_notes_of_a_code_share_is_kept_once():
 
 def test_half_a_measurement_of_the_shipped_tables_goes_on_where_it_was(tmp_path, capsys):
     folder = tmp_path / "tables"
-    measure(["brick-off-centre"], folder)
+    renew(["brick-off-centre"], folder)
     (path,) = folder.iterdir()
     before = path.stat().st_mtime_ns
     scene = solvers.load("brick-off-centre")
     assert outdated(path, scene) == [] and "1 points" in capsys.readouterr().out
     assert json.loads(path.read_text())["calibration"].keys() == {"python", "kernels", "algebra"}
-    measure(["brick-off-centre"], folder)  # named: renewed
+    renew(["brick-off-centre"], folder)  # named: renewed
     assert path.stat().st_mtime_ns > before
     path.write_text(path.read_text().replace('"rigid":"', '"rigid":"older '))
     assert outdated(path, scene) == ["rigid"]

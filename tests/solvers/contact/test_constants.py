@@ -3,7 +3,9 @@
 import math
 
 import pytest
+from pytest import approx
 
+import solvers
 from solvers import LAWS as CLASSES
 from solvers import Scene, SceneError
 from tests.catalog import struck_rod
@@ -81,3 +83,31 @@ def test_limits_are_reported():
     (full,) = sentences({"law": "plastic-power"}, 7.7e-4)
     assert "2 times that of full plastic flow" in full
     assert sentences({"law": "power", "stiffness": 1e9, "exponent": 1.2}, 1.0) == []
+
+
+@pytest.mark.parametrize(
+    ("material", "speed", "told"),
+    [
+        ({"young": 210e9, "density": 7900.0}, 3.13, True),  # a ball of 1 kg from 0.5 m: 5.6 GPa, and nobody's yield
+        ({"young": 210e9, "density": 7900.0}, 0.3, False),
+        ({"young": 210e9, "density": 7900.0, "yield": 350e6}, 3.13, False),  # compared with that
+        ({"young": 3e9, "density": 1200.0}, 10.0, True),
+        ({"young": 5e6, "density": 1100.0, "poisson": 0.49}, 3.13, False),  # rubber
+    ],
+)
+def test_a_pressure_that_hardly_any_material_bears_is_told(material, speed, told):
+    scene = sphere_scene(
+        {"law": "hertz"},
+        {"material": material, "radius": 0.0313, "velocity": speed},
+        {"kind": "half-space", "material": material},
+    )
+    found = {note.code: note for note in solvers.solve(scene).notes}
+    assert ("pressure-large" in found) == told
+    if told:
+        # p0 = 3 F / (2 pi a^2), of the peak force by energy
+        radius, modulus = 0.0313, 0.5 * material["young"] / (1.0 - 0.3**2)  # of both
+        depth = (1.25 * scene.impactor.mass * speed**2 / (4.0 / 3.0 * modulus * math.sqrt(radius))) ** 0.4
+        force = 4.0 / 3.0 * modulus * math.sqrt(radius) * depth**1.5
+        pressure = 1.5 * force / (math.pi * radius * depth)
+        assert found["pressure-large"].values["pressure"] == approx(pressure, rel=1e-6)
+        assert found["pressure-large"].values["share"] == approx(pressure / material["young"], rel=1e-6)

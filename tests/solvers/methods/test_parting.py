@@ -120,26 +120,29 @@ def test_a_duration_that_is_asked_for_is_lived_through(method, times):
     assert (solution.contacts[-1].start > 0.9 * second) == (times > 1.0)
 
 
-def differs(method, scene):
-    """What a solution until the bodies part has in common with one that goes on; how often they touch, velocities."""
+def missed(method, scene):
+    """How many contacts a solution until the bodies part has missed of one that goes on, and whether the velocity is
+    another. One that goes on may be found on a grid, whose contacts break up and join within its steps.
+    """
     found = method.solve(scene)
     if {"may-touch-again", "touches-for-ever", "contact-fades-for-ever"} & {note.code for note in found.notes}:
-        return None
+        return 0, False
     longer = method.solve(scene, duration=LONGER * found.duration)
     error = max(found.diagnostics["estimated_error"], longer.diagnostics["estimated_error"])
     apart = abs(found.impactor_velocity - longer.impactor_velocity) / scene.speed
-    return len(longer.contacts) - len(found.contacts), apart > max(3.0 * error, 1e-7)
+    late = [contact for contact in longer.contacts if contact.start > 1.01 * found.contacts[-1].end]
+    return len(late), apart > max(3.0 * error, 1e-7)
 
 
 @pytest.mark.parametrize("number", range(3))
 def test_nothing_is_missed_by_stopping_when_they_have_parted(number):
-    assert differs(Waves(), random_neck(number)) in ((0, False), None)
+    assert missed(Waves(), random_neck(number)) == (0, False)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("number", range(3, 63))
 def test_nothing_is_missed_by_stopping_in_many_scenes(number):
-    assert differs(Waves(), random_neck(number)) in ((0, False), None)
+    assert missed(Waves(), random_neck(number)) == (0, False)
 
 
 @pytest.mark.slow

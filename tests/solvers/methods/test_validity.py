@@ -169,11 +169,17 @@ def test_a_note_comes_where_it_belongs_and_goes_with_its_remedy(case):
 
 @pytest.mark.parametrize(
     "name",
-    ["bronze-rod-steel-ball", "free-rod", "rod-with-gap", "two-balls", "xylophone-bar",
-     "timoshenko-1913-long", "hammer-on-cantilever", "figure-8.14", "table-8.4", "figure-10.1", "table-7.1"],
+    ["free-rod", "rod-with-gap", "two-balls", "xylophone-bar",
+     "timoshenko-1913-long", "hammer-on-cantilever", "figure-8.14", "table-8.4", "table-7.1"],
 )  # fmt: skip
 def test_sound_scenes_raise_no_alarm(name):
     assert solvers.solve(SCENES[name]).notes == []
+
+
+@pytest.mark.parametrize("name", ["bronze-rod-steel-ball", "figure-10.1"])
+def test_a_steel_ball_presses_on_bronze_harder_than_that_bears(name):
+    """The thesis has both elastic; 3 and 3.7 GPa would leave a dent."""
+    assert [note.code for note in solvers.solve(SCENES[name]).notes] == ["pressure-large"]
 
 
 def test_what_never_parts_says_why():

@@ -1,0 +1,26 @@
+"""Charts of lessons for a first course: lines without stairs, and nothing said of how a solution was found."""
+
+import numpy as np
+
+CURVE = "() => { const { x, y } = strikewave.page.view.force.exact; return { x: [...x], y: [...y] }; }"
+
+
+def test_the_force_of_a_contact_that_gives_way_is_a_line_without_stairs(open_page):
+    page = open_page("?scene=drop-test&layout=laboratory")
+    curve = page.evaluate(CURVE)
+    x, y = np.array(curve["x"]), np.array(curve["y"])
+    moving = y[:-1] > 0.02 * y.max()
+    assert moving.sum() > 50 and (np.diff(x) > 0.0).all()
+    assert (np.abs(np.diff(y))[moving] > 0.0).all()  # no stretch of the contact where it stays the same
+    sent = page.evaluate("() => Math.max(...strikewave.page.frame.exactForce)")
+    assert y.max() == sent
+
+
+def test_a_lesson_about_one_solution_does_not_say_how_it_was_found(open_page):
+    by = "() => strikewave.page.opening.section.shown?.by"
+    page = open_page("?scene=fixed-rod&layout=opening")
+    page.wait("() => strikewave.page.opening.section.shown")
+    assert "solved by" in page.evaluate(by)
+    page = open_page("?lesson=elastic-and-plastic&step=7")
+    page.wait("() => strikewave.page.opening.section.shown")
+    assert page.evaluate(by) == ""
