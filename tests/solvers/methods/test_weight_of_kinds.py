@@ -57,9 +57,8 @@ def test_methods_agree_on_what_falls(falling, held, law):
     for other in found.values():
         codes = {note.code for note in (*best.notes, *other.notes)}
         error = sum(each.diagnostics["estimated_error"] for each in (best, other))
-        apart = abs(other.impactor_velocity - best.impactor_velocity) / scene.speed
-        own = (
-            5e-3 if CHAIN["kind"] in (scene.impactor.kind, scene.target.kind) else 1e-3
-        )  # elements of chains are coarse
-        assert apart <= 2.0 * error + own or codes & UNTRUE
+        # both at one instant: a last, slight touch ends a little sooner or later, and weight acts meanwhile
+        later = scene.weight_acceleration * (other.contacts[-1].end - best.contacts[-1].end)
+        apart = abs(other.impactor_velocity - best.impactor_velocity - later) / scene.speed
+        assert apart <= 2.0 * error + 1e-3 or codes & UNTRUE
         assert other.contacts[-1].end == pytest.approx(best.contacts[-1].end, rel=0.02) or codes & UNTRUE
