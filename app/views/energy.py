@@ -7,7 +7,7 @@ import numpy as np
 
 from solvers import Solution
 from solvers.accuracy.reference import exact_solution
-from solvers.solution.given import books_open, given
+from solvers.notebook.given import books_open, given
 from solvers.solution.motion import SplitsTarget
 from solvers.text.catalogue import Catalogue
 

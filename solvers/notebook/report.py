@@ -4,7 +4,7 @@ import math
 import textwrap
 from typing import Any
 
-from ..solution.given import SOURCES, books_open, given
+from .given import SOURCES, books_open, given
 from .words import family, listed, named, shown, text, vector
 
 LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones

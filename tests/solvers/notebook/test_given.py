@@ -5,7 +5,7 @@ import re
 import pytest
 
 from solvers import Scene, solve
-from solvers.solution.given import books_open, given
+from solvers.notebook.given import books_open, given
 
 DROPS = {
     "caught": {"law": "kelvin-voigt", "stiffness": 1e4, "damping": 400.0},
