@@ -48,8 +48,8 @@ def bounded(solution: Solution) -> Solution:
         motion.__class__ = _class_of(type(motion))
         scene = solution.scene
         first, last = reach(solution)
-        if not scene.impactor.rods and getattr(scene.impactor, "bends", False):
-            first = -scene.impactor.length  # a bar that swings
+        if scene.impactor.time_unit is not None and first == 0.0:
+            first = -scene.impactor.length  # a bar that swings, or a rod that strikes a beam
         motion.__dict__["_bounds"] = (solution.duration, first, last)
         object.__setattr__(solution, "motion", motion)
     return solution

@@ -107,7 +107,7 @@ def test_words_and_tables(key, value, allowed):
     "key, value, keys",
     [
         ("colour", "red", "title, source, note, impactor, target, contact, method, view"),
-        ("impactor.weight", 1.0, "kind, mass, velocity, radius, material"),
+        ("impactor.weight", 1.0, "kind, mass, velocity, radius, material, height, gravity"),
         ("target.lenght", 1.0, "kind, length, section, material, support, at, velocity, end_mass, radius"),
         ("target.section.depth", 1.0, "width, height, radius, area, second_moment, shear_coefficient"),
         ("contact.stiffness", 1e9, "law"),  # rigid has no constants

@@ -54,7 +54,7 @@ def test_height_and_velocity_replace_each_other():
         ({"mass": 1.0, "height": "high"}, "impactor.height", "1e-12 to 1e+06"),
         ({"mass": 1.0, "height": 1.0, "gravity": 0.0}, "impactor.gravity", "m/s2"),
         ({"mass": 1.0, "gravity": 9.81}, "impactor.velocity", "the key is missing"),
-        ({"kind": "body", "mass": 1.0, "height": 1.0}, "impactor.height", "mass, sphere, rod, beam"),
+        ({"kind": "body", "mass": 1.0, "height": 1.0}, "impactor.height", "mass, sphere, rod, rods, beam"),
     ],
 )
 def test_what_cannot_fall_is_refused(impactor, key, said):

@@ -39,6 +39,7 @@ def test_accounts_balance(method, options, support):
     assert abs(solution.diagnostics["momentum_error"]) < 1e-9
     assert sum(contact.impulse for contact in solution.contacts) == approx(solution.impulse, rel=1e-9)
     at_rows = solution.motion.course.step * solution.motion.course.stride * np.arange(0, 500, 7)
+    at_rows = at_rows[at_rows <= solution.duration]
     face = solution.motion.displacement(at_rows, np.array([0.0]))[:, 0]
     # the modes left out have given way too: 0.2 to 0.4 % of 2 v T when the field was without them
     assert face == approx(solution.motion.end_position(at_rows), abs=1e-11 * scene.speed * scene.time_unit)

