@@ -57,6 +57,7 @@ class Method(ABC):
     DAMPED: ClassVar[bool] = False  # whether it knows damping of their own
     WEIGHT: ClassVar[bool] = False  # whether the weight of the impactor acts while it touches
     RIPPLES: ClassVar[bool] = False  # whether it sums up modes or elements, which ripple behind a front
+    CONSERVES: ClassVar[bool] = True  # whether it keeps energy to rounding, its own steps apart
     WAVES: ClassVar[bool] = True  # whether waves run in the bodies that it solves
     TRUSTED_ERROR: ClassVar[float] = MAX_TRUSTED_ESTIMATE  # up to which its estimate is not reported
     # options that make it finer, the first that a scene allows; none: one answer
@@ -158,6 +159,7 @@ class Method(ABC):
         notes = general_notes(
             solution, own, whole, self._miscounts(), self._resolution(solution.scene), self.TRUSTED_ERROR
         )
+        notes = [note for note in notes if self.CONSERVES or note.code != "books-open"]
         notes += notes_on_ripple(solution) if self.RIPPLES else []
         notes += notes_on_theory(solution, self.WAVES)
         notes += self._notes_on_links(solution.scene) + falls_along(solution.scene)

@@ -238,7 +238,10 @@ class MechanismMotion:
         speeds, gained = before @ frozen.jacobian.T, frozen.jacobian @ frozen.accelerations * self._followed
         carried = 0.5 * time[:, None] * (frozen.rates + before) * self._followed
         borne = self._borne(self.impulse(time), state.rates)
-        grown = self._borne(np.interp(time, *self._summed), state.coordinates)
+        instants, summed = self._summed
+        last = np.maximum(np.searchsorted(instants, time, "right") - 1, 0)
+        since = 0.5 * (time - instants[last]) * (self.impulse(time, False) + self.impulse(instants[last]))
+        grown = self._borne(summed[last] + since, state.coordinates)
         return carried @ frozen.jacobian.T @ frozen.reactions_before + (borne * speeds).sum(axis=1) - grown @ gained
 
     def _borne(self, impulse: np.ndarray, rates: np.ndarray) -> np.ndarray:
@@ -266,14 +269,15 @@ class MechanismMotion:
         parts, state, frozen = self.relative.energies(time), self.target_state(time), self.frozen
         system, impactor = frozen.system, self.scene.impactor
         speed, mass = self.speed(time), 0.0 if impactor.held else impactor.mass  # what is held takes up no energy
-        swift = self.rates(time)
-        kinetic = 0.5 * (swift @ system.mass * swift).sum(axis=1)
+        before = self.before(time)
+        gained = np.multiply.outer(state.velocity, frozen.whole) + state.rates @ self._vibrations.T
+        carried = ((0.5 * before + gained) @ system.mass * before).sum(axis=1)
         moving = mass * speed * (self.relative.impactor_velocity(time) + 0.5 * speed)
         fallen = self.coordinates(time) @ system.weight * self._followed
         bent = state.coordinates @ (self._vibrations.T @ (system.stiffness * frozen.bent))
         return parts | {
             "impactor": parts["impactor"] + moving,
-            "target_rigid": kinetic - 0.5 * (state.rates**2).sum(axis=1),
+            "target_rigid": parts["target_rigid"] + carried,
             "target_vibration": parts["target_vibration"] + bent,
             "drives": self._driven(time),
             "weight": 0.0 - fallen - self.weight * mass * self.impactor_position(time),

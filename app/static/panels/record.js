@@ -186,7 +186,7 @@ class Measurement {
   take(frame) {
     const away = !this.forKinds.includes(frame.kind);
     this.button.disabled = away;
-    this.button.hidden = frame.kind === 'mechanism';
+    this.button.hidden = 'mechanism' in frame && Boolean(frame.mechanism);
     this.button.title = text(away ? 'record.in-space' : 'record.title');
     this.#showOpen();
     this.root.classList.toggle('away', away);

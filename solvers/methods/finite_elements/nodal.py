@@ -50,6 +50,7 @@ class FeNodal(FiniteElements):
     status: str = option("implicit", word(("implicit", "frozen")))
 
     NAME = "fe-nodal"
+    CONSERVES = False
     RESOLUTIONS = ("elements",)
 
     @classmethod

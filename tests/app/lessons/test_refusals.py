@@ -129,7 +129,7 @@ def test_heads(old, new, line, said):
         (fence("sketch", SKETCH + 'jump = [0, 1]\nyes = "Yes."'), 14, "judge[1].jump: got [0, 1]; allowed: a time in"),
         (fence("scene", 'show = ["rows", "force"]'), 10, "show: rows and charts have one place; show either rows, or"),
         (fence("scene", 'show = ["force", "moved", "energy"]'), 10, "show: rows and charts have one place"),
-        (fence("scene", 'show = ["dispersion"]'), 10, "show[1]: got 'dispersion'; allowed: 'bodies', 'rows', 'forces', 'force'"),
+        (fence("scene", 'show = ["dispersion"]'), 10, "show[1]: got 'dispersion'; allowed: 'bodies', 'rows', 'forces'"),
         (fence("scene", 'beside = { friction = 1.0 }'), 10, "beside.friction: got 1.0; allowed: no such setting in"),
         (fence("scene", 'beside = 1'), 10, "beside: got 1; allowed: a table"),
         (fence("set", SET).replace("##", "## Beam\n:::{scene}\nscene = 'spinning-ball'\n:::\n##").replace(

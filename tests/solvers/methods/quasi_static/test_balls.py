@@ -143,7 +143,8 @@ def test_a_row_that_goes_on_is_cut_and_says_so_but_for_a_duration(monkeypatch):
     assert cut.diagnostics["steps"] == ball_chain.MAX_STEPS and cut.duration < whole.duration
     assert {note.code for note in cut.notes} & {"not-parted", "still-touching"}
     asked = solvers.solve(UNLIKE, duration=whole.duration)
-    assert final(asked) == approx(final(whole), abs=1e-9) and not asked.notes
+    assert final(asked) == approx(final(whole), abs=1e-9)
+    assert {note.severity for note in asked.notes} <= {"remark"}
 
 
 def test_a_scene_is_written_back_and_its_result_is_json():
