@@ -1,3 +1,4 @@
+import process from 'node:process';
 // A class: lines with names and codes in whatever form, counts of answers, and a table that no spreadsheet takes amiss.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
