@@ -66,7 +66,10 @@ export class Analyses {
     this.menu.append(about, ...this.all.map(({ button }) => button));
     for (const view of this.all) {
       framed(view, { widen: () => this.#widen(view), close: () => this.#close(view) });
-      view.button.onclick = () => (view.open && this.#top(view) ? this.#close(view) : this.open(view));
+      view.button.onclick = () => {
+        if (view.open && this.#top(view)) this.#close(view);
+        else this.open(view);
+      };
     }
   }
   /**
