@@ -11,7 +11,8 @@ from .servers import Server
 
 LABORATORY = "?layout=laboratory"  # the first scene, with all charts and controls
 MEDIA = ("media", "reduced_motion", "color_scheme", "forced_colors", "contrast")  # that a test may emulate
-PATIENCE = 300_000  # ms, for a machine that does much else beside, and compiles what no other test has asked for
+# ms, for a machine that does much else beside, and compiles what no other test has asked for.
+PATIENCE = int(os.environ.get("PATIENCE", 100)) * 1000
 POLLING = 30  # ms between two looks; at every frame, they would keep the browser drawing
 expect.set_options(timeout=PATIENCE)
 

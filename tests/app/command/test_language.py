@@ -71,7 +71,23 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
-    *("plan", "joints", "lesson", "check", "new", "scenes", "serve", "warm", "wasm", "COMMAND", "FILE", "VALUE"),
+    *(
+        "plan",
+        "joints",
+        "lesson",
+        "check",
+        "new",
+        "print",
+        "scenes",
+        "serve",
+        "warm",
+        "wasm",
+        "COMMAND",
+        "FILE",
+        "VALUE",
+        "SCENE",
+        "LANGUAGE",
+    ),
 }
 DOTTED = re.compile(r"(?<!=)\b\d+\.\d")  # a number as English has it, but for values of keys
 

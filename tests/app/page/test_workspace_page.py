@@ -11,7 +11,7 @@ from app.serving.still import INSTANT, colour, first_still
 from app.text.catalogues import page as texts_of
 from solvers.text.catalogue import SOURCE
 
-from .hands import slide, type_into
+from .hands import drag, type_into
 from .test_page import settled
 
 SIZES = [[(1440, 900), (1920, 1080), (1280, 720)], [(390, 844), (820, 1180)]]  # of windows, changed one into the next
@@ -177,10 +177,11 @@ def test_what_is_in_view_is_looped(open_page):
     page.wait("() => strikewave.page.player.t < 0.44")
     assert page.evaluate(T) >= 0.4
     bar = page.tab.get_by_role("slider", name="Time, of what is in view")  # the time bar spans it, too
-    slide(bar, 5000)
+    drag(bar, 0.5)
     assert page.evaluate("() => strikewave.page.player.bar") == pytest.approx([0.4, 0.5])
     page.evaluate("() => strikewave.page.player.loop()")
-    page.wait("() => strikewave.page.player.t > 0.52")
+    page.wait("() => !strikewave.page.player.playing")  # at the end of the bar, which is what plays
+    assert page.evaluate(T) == pytest.approx(0.5)
 
 
 def test_the_pace_can_be_a_share_of_real_time(open_page):
