@@ -9,7 +9,7 @@ import numpy as np
 from ..bodies import Mechanism
 from ..numerics.multibody.mesh import ModeChange
 from ..scene import Scene
-from ..solution.motion import Balances, KnowsModes, Motion, MovesFace, ResolvesForce, TargetState
+from ..solution.motion import Balances, KnowsModes, Lasts, Motion, MovesFace, ResolvesForce, TargetState
 from ..solution.solution import Later, Solution
 from .freezing import notes_on_freezing
 
@@ -25,7 +25,8 @@ class MechanismMotion:
         self.scene, self.relative = scene, relative
         self.mechanism: Mechanism = scene.target.known_as(Mechanism)
         self.frozen = self.mechanism.frozen
-        self._followed = followed = _lasts(scene, relative)  # else it is over at once
+        lasts = relative.lasts if isinstance(relative, Lasts) else isinstance(relative, KnowsModes)
+        self._followed = followed = lasts  # else it is over at once
         self.acceleration = self.frozen.acceleration if followed else 0.0  # of the struck point
         self.jerk = self.frozen.jerk if followed else 0.0
         falls = followed and not scene.impactor.held
@@ -282,12 +283,6 @@ class MechanismMotion:
             "drives": self._driven(time),
             "weight": 0.0 - fallen - self.weight * mass * self.impactor_position(time),
         }
-
-
-def _lasts(scene: Scene, relative: Motion) -> bool:
-    """Whether what was solved takes any time: a balance of what does not ring takes none, as one impulse."""
-    rings = any(body.time_unit is not None for body in (scene.impactor, scene.target))
-    return isinstance(relative, KnowsModes) and (rings or not isinstance(relative, Balances))
 
 
 def _impulses(joints: np.ndarray) -> list[dict[str, Any]]:

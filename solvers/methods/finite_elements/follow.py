@@ -21,6 +21,7 @@ STEPS_PER_CONTACT = 100
 EXPLICIT_LIMIT_SHARE = 0.8
 # Unless more are asked for. Fewer, and long impacts are solved more coarsely, at which the energy is kept all the same.
 MAX_USUAL_STEPS = 60_000
+LOOKS = 8  # in the time so far: each goes through all of it
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
 SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes
@@ -103,7 +104,7 @@ def follow(scene: Scene, plan: Plan, march: March) -> tuple[Any, int, End]:
     record, done, touched = march.make(plan.chunk), 0, 0
     alike, longest = moves_alike(scene), patience(scene)
     while done < plan.most:
-        until = min(done + plan.chunk, plan.most)
+        until = min(done + max(plan.chunk, plan.stride * (done // LOOKS // plan.stride)), plan.most)
         if until > record.contact_force.size - 1:
             record = _grown(record, march.make(max(until, min(2 * until, plan.most))))
         before, reached = march.impulse(record, done), march.advance(done, until, record)
