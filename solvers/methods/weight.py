@@ -95,6 +95,13 @@ def never_leaves(scene: Scene, time: float) -> Note:
     return Note("never-leaves", Severity.REMARK, time=time, damped=loses(scene))
 
 
+def left_out_later(scene: Scene, acceleration: float, duration: float) -> list[Note]:
+    """That bodies move on by themselves [m/s2] in a time that is asked for [s], where no method follows them."""
+    share = abs(acceleration) * duration / scene.speed
+    grave = Severity.REMARK if share <= MAX_LEFT_OUT else Severity.WARNING
+    return [Note("weight-left-out-later", grave, time=duration, share=100.0 * share)] if share else []
+
+
 def falls_along(scene: Scene) -> list[Note]:
     """Where nothing holds the target, it falls as what strikes it does."""
     alike = scene.gravity and not scene.target.held and not scene.prescribed_force

@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import solvers
-from solvers import Scene
+from solvers import Scene, SceneNotSupported
 
 G, LENGTH, MASS, STRIKER = 9.80665, 0.5, 2.0, 0.3
 SHARE = 0.8  # of its length, at which a bar is struck
@@ -88,3 +88,22 @@ def test_mechanisms_fall_on_as_by_multibody(scene, method):
 def test_without_a_duration_one_balance_takes_no_time():
     found = solvers.solve(ram(LAWS[0]), "balance")
     assert found.links["ram"]["final_velocity"][1] == pytest.approx(-2.0 * STRIKER / (STRIKER + MASS), rel=1e-9)
+
+
+@pytest.mark.parametrize("scene", [pendulum, ram])
+@pytest.mark.parametrize("law", LAWS, ids=["rigid", "linear"])
+def test_every_method_follows_what_falls_on_or_says_that_it_does_not(scene, law):
+    scene, duration = scene(law), 0.05
+    true, told = solvers.solve(scene, "multibody", duration=duration), {}
+    for name in solvers.METHODS:
+        try:
+            found = solvers.solve(scene, name, duration=duration)
+        except SceneNotSupported:
+            continue
+        off = abs(found.impactor_velocity - true.impactor_velocity) / scene.speed
+        told[name] = [note.values["share"] for note in found.notes if note.code == "weight-left-out-later"]
+        assert told[name] or off < 0.01  # turned by 0.09, which is squared; and the time that a contact takes
+        assert "weight-left-out-later" not in [note.code for note in solvers.solve(scene, name).notes]
+        if told[name]:
+            assert 0.9 * off < told[name][0] / 100.0
+    assert told["rigid"] and not told["balance"]
