@@ -14,6 +14,7 @@ from ..text.notes import Note, Severity
 
 PARTS = 4  # of the time so far, in the last of which a body at rest does not move; of a period, how often is looked
 MAX_LEFT_OUT = 0.01  # of the speed of approach: with more a method that leaves weight out refuses the scene
+LOOKS = 8  # in the time so far, at most: each goes through all of it
 MOST_SWINGS = 10.0  # times as many as of what never leaves: then it is cut short
 GOES_ON, FLIES, RESTS, SINKS, SWINGS_ON, ENDLESS = range(6)  # how an impact under weight goes
 

@@ -12,7 +12,7 @@ from ...contact.duration import contact_time
 from ...scene import Scene
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS
 from ..parting import End, moves_alike, patience
-from ..weight import GOES_ON, PARTS, SWINGS_ON, moved, stays
+from ..weight import GOES_ON, LOOKS, PARTS, SWINGS_ON, moved, stays
 
 # Of the shortest contact there can be. With fewer the peak force is off by more than the mesh is; orders:
 # `tests/solvers/methods/test_orders.py`.
@@ -21,7 +21,6 @@ STEPS_PER_CONTACT = 100
 EXPLICIT_LIMIT_SHARE = 0.8
 # Unless more are asked for. Fewer, and long impacts are solved more coarsely, at which the energy is kept all the same.
 MAX_USUAL_STEPS = 60_000
-LOOKS = 8  # in the time so far: each goes through all of it
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
 SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes

@@ -21,7 +21,7 @@ from ..estimates import with_error
 from ..options import option, whole, word
 from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience, swinging
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
-from ..weight import FLIES, GOES_ON
+from ..weight import FLIES, GOES_ON, LOOKS
 from . import weight
 from .estimate import MIN_STEPS_PER_CONTACT, MOST_MODES, STEPS_OF_FIRST_CONTACT, error_of_modes, steps_of_a_contact
 from .frames import frame_figures, pivot_figures
@@ -310,7 +310,7 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
     done, touched, how, resting = 0, 0, End.FOLLOWED, GOES_ON
     alike, longest = moves_alike(scene) or not swinging(scene), patience(scene)
     while done < most:
-        until = min(done + chunk, most)
+        until = min(done + (max(chunk, done // LOOKS) if weighs else chunk), most)
         if until > record.contact_force.size:
             record = _grown(record, min(2 * until, most), stride)
         march(
@@ -318,9 +318,9 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
             displacement, velocity, stride, done, until, record,
         )  # fmt: skip
         apart = not record.contact_force[done:until].any()
-        done = until
+        begun, done = done, until
         if weighs:
-            span = max(until - chunk, 0), done, stride
+            span = begun, done, stride
             resting, done = weight.state(scene, law, spring, bank, record, span, displacement, velocity, step)
             if resting == GOES_ON:
                 continue
