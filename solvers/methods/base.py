@@ -17,7 +17,7 @@ from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
 from .fronts import notes_on_ripple
-from .mechanisms import in_laboratory
+from .mechanisms import in_laboratory, not_followed
 from .options import options_of
 from .start import note_on_start
 from .striking import as_striking
@@ -163,6 +163,7 @@ class Method(ABC):
         notes += notes_on_ripple(solution) if self.RIPPLES else []
         notes += notes_on_theory(solution, self.WAVES)
         notes += self._notes_on_links(solution.scene) + falls_along(solution.scene)
+        notes += [] if whole else not_followed(solution)
         return [note for note in notes if note not in own]
 
     def _notes_on_links(self, scene: Scene) -> list[Note]:

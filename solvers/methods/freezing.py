@@ -45,16 +45,27 @@ def _turning_notes(solution: Solution, motion: Any) -> list[Note]:
     spins = {name: abs(motion.frozen.system.spin(i, motion.frozen.rates)) for i, name in enumerate(motion.names)}
     fastest = max(spins, key=lambda name: spins[name])
     angle = spins[fastest] * lasts
-    if not angle:
-        return []
+    afterwards, most = _turned(motion, solution.duration)
+    fastest = fastest if angle else most
     error = freezing_error(solution.scene, lasts, solution.impulse, angle)
     grave = Severity.REMARK if error <= MAX_LEFT_OUT else Severity.WARNING
-    whole = freezing_error(solution.scene, solution.duration, solution.impulse, spins[fastest] * solution.duration)
+    farthest = max(spins[fastest] * solution.duration, afterwards)
+    whole = freezing_error(solution.scene, solution.duration, solution.impulse, farthest)
     late = whole > MAX_LEFT_OUT_LATER
+    if not angle and not late:
+        return []
     if late:
         grave = Severity.WARNING
     said = {"angle": float(np.degrees(angle)), "error": 100.0 * error, "whole": 100.0 * min(whole, 1.0), "late": late}
     return [Note("configuration-frozen", grave, link=fastest, **said)]
+
+
+def _turned(motion: Any, until: float) -> tuple[float, str]:
+    """By how much the link turns by a time [s] that turns most, thrown by the impact or as it falls; and its name."""
+    turned = np.abs(
+        motion.coordinates(np.array([until]))[0][np.array(motion.frozen.system.offsets)[: len(motion.names)] + 2]
+    )
+    return float(turned.max()), motion.names[int(turned.argmax())]
 
 
 def freezing_error(scene: Scene, lasts: float, impulse: float, angle: float) -> float:

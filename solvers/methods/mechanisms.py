@@ -9,9 +9,11 @@ import numpy as np
 from ..bodies import Mechanism
 from ..numerics.multibody.mesh import ModeChange
 from ..scene import Scene
-from ..solution.motion import Balances, KnowsModes, Motion, MovesFace, ResolvesForce, TargetState
+from ..solution.motion import Balances, KnowsModes, Lasts, Motion, MovesFace, ResolvesForce, TargetState
 from ..solution.solution import Later, Solution
+from ..text.notes import Note
 from .freezing import notes_on_freezing
+from .weight import left_out_later
 
 
 class MechanismMotion:
@@ -25,10 +27,11 @@ class MechanismMotion:
         self.scene, self.relative = scene, relative
         self.mechanism: Mechanism = scene.target.known_as(Mechanism)
         self.frozen = self.mechanism.frozen
-        self._followed = followed = _lasts(scene, relative)  # else it is over at once
-        self.acceleration = self.frozen.acceleration if followed else 0.0  # of the struck point
-        self.jerk = self.frozen.jerk if followed else 0.0
-        falls = followed and not scene.impactor.held
+        lasts = relative.lasts if isinstance(relative, Lasts) else isinstance(relative, KnowsModes)
+        self.followed = lasts  # else it is over at once
+        self.acceleration = self.frozen.acceleration if lasts else 0.0  # of the struck point
+        self.jerk = self.frozen.jerk if lasts else 0.0
+        falls = lasts and not scene.impactor.held
         self.weight = float(self.frozen.normal @ self.frozen.system.gravity) if falls else 0.0  # of 1 kg [N]
         self.names = [link.name for link in self.mechanism.links]
 
@@ -107,7 +110,7 @@ class MechanismMotion:
 
     def before(self, time):
         """Rates without the impact, (time, size)."""
-        sped_up = self.frozen.accelerations * self._followed
+        sped_up = self.frozen.accelerations * self.followed
         return self.frozen.rates + np.multiply.outer(np.asarray(time, float), sped_up)
 
     def _of_points(self, x):
@@ -118,7 +121,7 @@ class MechanismMotion:
         own = slice(start, start + link.size)
         rows = frozen.normal @ link.points(x)
         accelerations = rows @ frozen.accelerations[own] - spin**2 * x * (link.axes[0] @ frozen.normal)
-        return rows @ frozen.rates[own], accelerations * self._followed
+        return rows @ frozen.rates[own], accelerations * self.followed
 
     # --- all coordinates
 
@@ -235,8 +238,8 @@ class MechanismMotion:
     def _driven(self, time) -> np.ndarray:
         """Work that the drives have taken up, by the reactions to them [J]."""
         frozen, state, before = self.frozen, self.target_state(time), self.before(time)
-        speeds, gained = before @ frozen.jacobian.T, frozen.jacobian @ frozen.accelerations * self._followed
-        carried = 0.5 * time[:, None] * (frozen.rates + before) * self._followed
+        speeds, gained = before @ frozen.jacobian.T, frozen.jacobian @ frozen.accelerations * self.followed
+        carried = 0.5 * time[:, None] * (frozen.rates + before) * self.followed
         borne = self._borne(self.impulse(time), state.rates)
         instants, summed = self._summed
         last = np.maximum(np.searchsorted(instants, time, "right") - 1, 0)
@@ -273,7 +276,7 @@ class MechanismMotion:
         gained = np.multiply.outer(state.velocity, frozen.whole) + state.rates @ self._vibrations.T
         carried = ((0.5 * before + gained) @ system.mass * before).sum(axis=1)
         moving = mass * speed * (self.relative.impactor_velocity(time) + 0.5 * speed)
-        fallen = self.coordinates(time) @ system.weight * self._followed
+        fallen = self.coordinates(time) @ system.weight * self.followed
         bent = state.coordinates @ (self._vibrations.T @ (system.stiffness * frozen.bent))
         return parts | {
             "impactor": parts["impactor"] + moving,
@@ -282,12 +285,6 @@ class MechanismMotion:
             "drives": self._driven(time),
             "weight": 0.0 - fallen - self.weight * mass * self.impactor_position(time),
         }
-
-
-def _lasts(scene: Scene, relative: Motion) -> bool:
-    """Whether what was solved takes any time: a balance of what does not ring takes none, as one impulse."""
-    rings = any(body.time_unit is not None for body in (scene.impactor, scene.target))
-    return isinstance(relative, KnowsModes) and (rings or not isinstance(relative, Balances))
 
 
 def _impulses(joints: np.ndarray) -> list[dict[str, Any]]:
@@ -303,6 +300,16 @@ class BalancedMechanismMotion(MechanismMotion):
         """Times [s] and impulses [N s] of the balances."""
         assert isinstance(self.relative, Balances)
         return self.relative.impulses
+
+
+def not_followed(solution: Solution) -> list[Note]:
+    """What is left out in a time that is asked for, where a mechanism is struck as if the impact were over at once."""
+    motion = solution.motion
+    if not isinstance(motion, MechanismMotion) or motion.followed:
+        return []
+    frozen, falls = motion.frozen, not solution.scene.impactor.held
+    weight = float(frozen.normal @ frozen.system.gravity) * falls
+    return left_out_later(solution.scene, max(frozen.acceleration, weight, key=abs), solution.duration)
 
 
 def in_laboratory(solution: Solution, scene: Scene) -> Solution:

@@ -20,6 +20,7 @@ class End(Enum):
     FOLLOWED = 0  # where it was asked for, or at a limit of the method
     PARTED = 1  # the bodies will never touch again
     MAY_TOUCH = 2  # they were watched for long as they move apart, but are not clear of each other
+    NEVER = 3  # under its weight what has fallen cannot leave any more
 
 
 def swinging(scene: Scene) -> list[AnyBody]:

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..contact.duration import contact_time
+from ..numerics.collisions import SWINGS, SWINGS_TO_REST
 from ..numerics.weighted_path import RESTING
 from ..scene import Scene
 from ..solution.solution import Solution
@@ -13,6 +14,9 @@ from ..text.notes import Note, Severity
 
 PARTS = 4  # of the time so far, in the last of which a body at rest does not move; of a period, how often is looked
 MAX_LEFT_OUT = 0.01  # of the speed of approach: with more a method that leaves weight out refuses the scene
+LOOKS = 8  # in the time so far, at most: each goes through all of it
+MOST_SWINGS = 10.0  # times as many as of what never leaves: then it is cut short
+GOES_ON, FLIES, RESTS, SINKS, SWINGS_ON, ENDLESS = range(6)  # how an impact under weight goes
 
 
 def weight_too_large(scene: Scene) -> Note | None:
@@ -53,6 +57,27 @@ def is_at_rest(scene: Scene, velocity: np.ndarray, force: float) -> bool:
     return bool(still and abs(force - weight) <= RESTING * weight)
 
 
+def stays(scene: Scene, velocity: np.ndarray, force: float, kept: float, least: float = 0.0) -> int:
+    """How an impactor goes on that has not left, with velocities so far (instants,) [m/s], pressed by a force [N].
+
+    kept: kinetic energy, what bends, and the height over where it touched first [J]: with less than `least` it never
+    leaves.
+    """
+    if is_at_rest(scene, velocity, force):
+        return RESTS
+    swings = 0.5 * float(np.count_nonzero(np.diff(np.signbit(velocity))))
+    most = SWINGS_TO_REST if loses(scene) else SWINGS
+    if kept < least and swings >= most:
+        return SWINGS_ON
+    return ENDLESS if swings >= MOST_SWINGS * most else GOES_ON
+
+
+def loses(scene: Scene) -> bool:
+    """Whether swings under weight die away."""
+    bodies = scene.impactor, scene.target
+    return bool(scene.contact.LOSSY or any(body.damping or body.endless for body in bodies))
+
+
 def moved(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> tuple[np.ndarray, np.ndarray]:
     """Velocity and place of the impactor as a whole at all instants, by its weight and by pushes (steps,) [N s]."""
     time = step * np.arange(pushes.size + 1)
@@ -60,23 +85,22 @@ def moved(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> tuple[n
     return velocity, np.append(0.0, np.cumsum(0.5 * step * (velocity[1:] + velocity[:-1])))
 
 
-def flights(scene: Scene, step: float, pushes: np.ndarray, mass: float) -> np.ndarray:
-    """Instants without a force at which the impactor is higher than anything that still rings can reach.
-
-    pushes (steps,) [N s]. At most that is sqrt(2 E C), by the energy E that the impactor and its height leave, and
-    static compliance C.
-    """
-    velocity, place = moved(scene, step, pushes, mass)
-    rings = scene.initial_energy + mass * scene.weight_acceleration * place - 0.5 * mass * velocity**2
-    give = scene.impactor.softness + scene.target.softness
-    reach = np.sqrt(2.0 * np.maximum(rings, 0.0) * give)
-    return np.flatnonzero((np.append(pushes, 0.0) == 0.0) & (np.append(0.0, pushes) == 0.0) & (-place > reach))
-
-
 def comes_to_rest(scene: Scene, time: float, depth: float) -> Note:
     """That it does, after a time [s], so far from where it touched first [m]."""
     weight = scene.impactor.mass * scene.weight_acceleration
     return Note("comes-to-rest", Severity.REMARK, time=time, depth=depth, force=weight)
+
+
+def never_leaves(scene: Scene, time: float) -> Note:
+    """That it does not, but swings, followed for a time [s]."""
+    return Note("never-leaves", Severity.REMARK, time=time, damped=loses(scene))
+
+
+def left_out_later(scene: Scene, acceleration: float, duration: float) -> list[Note]:
+    """That bodies move on by themselves [m/s2] in a time that is asked for [s], where no method follows them."""
+    share = abs(acceleration) * duration / scene.speed
+    grave = Severity.REMARK if share <= MAX_LEFT_OUT else Severity.WARNING
+    return [Note("weight-left-out-later", grave, time=duration, share=100.0 * share)] if share else []
 
 
 def falls_along(scene: Scene) -> list[Note]:

@@ -179,3 +179,11 @@ class Balances(Protocol):
 
     @property
     def impulses(self) -> tuple[np.ndarray, np.ndarray]: ...
+
+
+@runtime_checkable
+class Lasts(Protocol):
+    """Knows whether the impact takes any time, in which what moves by itself moves on."""
+
+    @property
+    def lasts(self) -> bool: ...

@@ -224,7 +224,7 @@ class Balance(Method):
 
     def _run(self, scene: Scene, duration: float | None) -> Run:
         """From the first touch until the bodies part for good, or for `duration` [s]."""
-        pair = Pair.of(scene, self._modes_of)
+        pair = Pair.of(scene, self._modes_of, duration is not None)
         bank, room = pair.bank, max(100, min(MOST_BALANCES, MOST_NUMBERS // pair.bank.closing.size))
         found = balances.events(room, bank.closing.size)
         q, p = np.zeros(bank.closing.size), pair.start.copy()

@@ -36,9 +36,11 @@ class Pair:
     resolved_time: float  # [s] apart for less is still in contact, as far as these modes resolve it
     patience: float  # [s] for which bodies that move apart are watched
     weight: float  # acceleration of the impactor by it [m/s2]
+    lasts: bool  # whether it takes any time: a balance of what does not ring takes none, as one impulse
 
     @classmethod
-    def of(cls, scene: Scene, modes_of) -> "Pair":
+    def of(cls, scene: Scene, modes_of, on: bool = False) -> "Pair":
+        """`on`: whether the impact is followed for a time that is asked for, whatever comes in it."""
         bodies = (scene.impactor, scene.target)
         modes = tuple(modes_of(body) for body in bodies)
         frequencies, closing, start, places = [], [], [], []
@@ -54,10 +56,10 @@ class Pair:
             frequencies.append(own.frequencies)
             closing.append(sign * own.at_contact)
             start.append(np.zeros(own.frequencies.size))
-        swings = any(own.frequencies.size for own in modes)
+        lasts = on or any(own.frequencies.size for own in modes)
         # without that there is one balance, which takes no time in which anything could speed up
-        fall, surge = (scene.fall, -scene.target.jerk) if swings else (0.0, 0.0)
-        weight = scene.weight_acceleration if swings else 0.0
+        fall, surge = (scene.fall, -scene.target.jerk) if lasts else (0.0, 0.0)
+        weight = scene.weight_acceleration if lasts else 0.0
         bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1], fall, surge)
         highest = float(bank.frequencies.max())
         shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
@@ -70,7 +72,7 @@ class Pair:
         # bending waves disperse: no front runs through a beam
         resolved = (own.shortest_period if body.bends else own.front_time for own, body in rings)
         resolves = max(resolved, default=0.0)
-        return cls(bank, np.concatenate(start), bodies, modes, split, shortest, resolves, longest, weight)
+        return cls(bank, np.concatenate(start), bodies, modes, split, shortest, resolves, longest, weight, lasts)
 
     def flies(self, events: Events) -> tuple[int, float]:
         """Events up to that after which the impactor flies higher than anything that still rings can reach, and how
@@ -209,6 +211,11 @@ class BalanceMotion(SampledMotion):
         )
         if pair.resolved_time:
             balance_histories.average(times, impulse, pair.shortest_period, self._force)
+
+    @property
+    def lasts(self) -> bool:
+        """Whether the impact is followed for any time."""
+        return self.run.pair.lasts
 
     @property
     def has_field(self) -> bool:

@@ -1,14 +1,10 @@
 """What the methods of finite elements share: the options, the local stiffness, the march until the bodies part."""
 
-import math
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple, Self
+from typing import Any, Self
 
-import numpy as np
-
-from ... import validation
 from ...contact import Linear
 from ...contact.duration import contact_time
 from ...provenance import clock
@@ -16,10 +12,10 @@ from ...scene import Scene
 from ...solution.solution import Later, Solution
 from ...solution.summary import summary
 from ...text.notes import Note, Severity
-from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..base import Method
 from ..estimates import error_left, with_error
 from ..options import option, real, whole
-from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience
+from ..parting import MAY_TOUCH_AGAIN, End, may_gain
 from ..validity import (
     STILL_TOUCHING,
     bodies_that_bend,
@@ -28,20 +24,10 @@ from ..validity import (
     notes_on_front,
     notes_on_rigid_impact,
 )
-from ..weight import PARTS, comes_to_rest, flights, is_at_rest, moved
-from .motion import Course, ElementMotion
+from ..weight import comes_to_rest, is_at_rest, never_leaves
+from .follow import MAX_STEPS
+from .motion import Course, ElementMotion, given
 
-# Of the shortest contact there can be. With fewer the peak force is off by more than the mesh is; orders:
-# `tests/solvers/methods/test_orders.py`.
-STEPS_PER_CONTACT = 100
-# Of the largest stable step of central differences. Nearer to it a contact that opens and closes feeds the mesh.
-EXPLICIT_LIMIT_SHARE = 0.8
-# Unless more are asked for. Fewer, and long impacts are solved more coarsely, at which the energy is kept all the same.
-MAX_USUAL_STEPS = 60_000
-MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
-MOST_CHUNKS = 800  # of what stays within reach under its weight
-SNAPSHOTS = 1000  # of all nodes, over the time expected
-MOST_NUMBERS = 10_000_000  # doubles kept of nodes
 SETTLED_ERROR = 1e-3  # estimated; with less, many contacts by a law are well determined all the same
 # Of an estimate: other meshes, as shares of the elements. Against much finer ones the difference is the error; of more
 # elements they are as fine as is bearable, and of many, or in beams, coarser: more of them if the contact is rigid, as
@@ -131,6 +117,8 @@ class FiniteElements(Method):
             notes.append(Note("diverged", Severity.INVALID))
         elif scene.weight_acceleration and is_at_rest(scene, motion.impactor_velocity(motion.time), course.force[-1]):
             notes.append(comes_to_rest(scene, course.duration, float(course.position[-1])))
+        elif course.end is End.NEVER:
+            notes.append(never_leaves(scene, course.duration))
         elif duration is None and self.steps is None and course.end is End.FOLLOWED:
             notes.append(cut_short(course.steps, "steps"))
         elif course.force[-1] > 0.0:
@@ -155,11 +143,16 @@ class FiniteElements(Method):
         The factors are such that random impacts keep to it: `tests/random_estimates.py`.
         """
         rigid, scale = scene.rigid_contact, scene.impactor.mass * scene.speed
+        own, later = given(scene, course.step, course.impulse, course.indentation), [0.0]
 
         def difference(method: FiniteElements, scene: Scene = scene) -> float:
-            return (float(course.impulse[-1]) - method._last_impulse(scene, course.duration)) / scale
+            pushed, weighed = (a - b for a, b in zip(own, method._given(scene, course.duration), strict=True))
+            later.append(abs(weighed) / scale)
+            return (pushed - weighed) / scale
 
         estimated = self._left_by_mesh(scene, difference)
+        if rigid or scene.contact.JUMPS:  # then ripples end the contact, which no order tells
+            estimated = max(estimated, *later)
         cut = scene.target.with_single_elements_cut(self.elements)
         if cut is not scene.target:  # which no coarser mesh can show
             again = difference(replace(self, steps=None), replace(scene, target=cut))
@@ -262,136 +255,5 @@ class FiniteElements(Method):
     def _course(self, scene: Scene, duration: float | None) -> Course: ...
 
     @abstractmethod
-    def _last_impulse(self, scene: Scene, duration: float) -> float:
-        """That has been given by then [N s], without histories and fields."""
-
-
-@dataclass(frozen=True)
-class Plan:
-    """How far and how finely to march."""
-
-    step: float
-    count: int | None  # None: until the bodies part
-    most: int
-    chunk: int
-    stride: int
-
-    @classmethod
-    def of(cls, scene: Scene, law: Any, fine: float, limit: float, given: int | None, duration: float | None, nodes):
-        """`fine` [s]: the step wished for; `limit` [s]: the largest that is stable. Raises SceneError beyond it."""
-        ringing = [body for body in (scene.target, scene.impactor) if body.time_unit is not None]
-        trips = [body.time_unit or 0.0 for body in ringing]
-        touch = contact_time(law, scene.reduced_mass, scene.speed)
-        reduced = scene.reduced_mass
-        expected = 3.0 * (sum(trips) + touch + math.pi * math.sqrt(reduced * sum(body.softness for body in ringing)))
-        fine = min(max(min(fine, touch / STEPS_PER_CONTACT), expected / MAX_USUAL_STEPS), EXPLICIT_LIMIT_SHARE * limit)
-        count = given
-        if duration is not None:
-            count = min(max(10, math.ceil(duration / fine)), MAX_STEPS) if given is None else given
-            fine = duration / count
-            if fine > limit * (1.0 + 1e-9):
-                least = math.ceil(duration / limit)
-                raise validation.SceneError("method.steps", count, validation.allowed("explicit-steps", least=least))
-        expected_steps, nodes = count or math.ceil(expected / fine), max(nodes, 1)
-        stride = max(1, expected_steps // min(SNAPSHOTS, max(10, MOST_NUMBERS // nodes)))
-        if count is not None:  # so that the last instant has its snapshot
-            stride, count, fine = _in_strides(count, stride, fine)
-        period = 2.0 * max(trips)
-        most = int(min(MAX_STEPS, MAX_ROUND_TRIPS * scene.time_unit / fine, stride * MOST_NUMBERS // nodes))
-        most = count or stride * max(1, most // stride)
-        looked = period / PARTS if scene.weight_acceleration else period
-        chunk = count or stride * math.ceil(looked / fine / stride)
-        return cls(fine, count, most, chunk, stride)
-
-
-def _in_strides(count: int, stride: int, step: float) -> tuple[int, int, float]:
-    """Stride, steps and step [s] of a march whose last instant has its snapshot, over the same time.
-
-    The number of steps is kept where it has a divisor near the stride; else it is rounded up, by less than a stride, as
-    a prime number of them would store every one.
-    """
-    divisor = next((part for part in range(stride, (stride - 1) // 2, -1) if count % part == 0), None)
-    if divisor is not None:
-        return divisor, count, step
-    whole = stride * math.ceil(count / stride)
-    return stride, whole, step * count / whole
-
-
-class March(NamedTuple):
-    """What marches: in both methods the same, but for coordinates.
-
-    masses [kg]: what an impact feels of impactor and target as wholes, infinite of what is held; make(steps): an empty
-    record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s]; room(record, instant):
-    by how much further the bodies as wholes are apart than their faces reach [m]; pushes(record, instant): impulses of
-    all steps before (steps,) [N s].
-    """
-
-    masses: tuple[float, float]
-    make: Callable[[int], Any]
-    advance: Callable[[int, int, Any], int]
-    impulse: Callable[[Any, int], float]
-    room: Callable[[Any, int], float]
-    pushes: Callable[[Any, int], np.ndarray]
-
-
-def follow(scene: Scene, plan: Plan, march: March) -> tuple[Any, int, End]:
-    """March by chunks until the bodies have parted for good, see `methods.parting`: record, steps, and how it ended."""
-    record, done, touched = march.make(plan.chunk), 0, 0
-    alike, longest = moves_alike(scene), patience(scene)
-    while done < plan.most:
-        until = min(done + plan.chunk, plan.most)
-        if until > record.contact_force.size - 1:
-            record = _grown(record, march.make(max(until, min(2 * until, plan.most))))
-        before, reached = march.impulse(record, done), march.advance(done, until, record)
-        if reached < until:
-            return record, reached, End.FOLLOWED
-        done, gained = until, march.impulse(record, until)
-        if plan.count is None and scene.weight_acceleration:
-            how = _under_weight(scene, plan, march, record, done)
-            if how is not None:
-                return record, done, how
-        elif gained != before:
-            touched = done
-        elif plan.count is None and _apart(scene, march.masses, gained):
-            if alike or march.room(record, done) > 0.0:
-                return record, done, End.PARTED
-            if (done - touched) * plan.step >= longest:
-                return record, done, End.MAY_TOUCH
-    return record, done, End.FOLLOWED
-
-
-def _under_weight(scene: Scene, plan: Plan, march: March, record: Any, done: int) -> End | None:
-    """How a march of what weight brings back has ended by this instant; None: it has not."""
-    pushes = march.pushes(record, done)
-    beyond = pushes[-1] == 0.0 and march.room(record, done) > 0.0  # of what rings now: losses ring no more
-    if beyond or flights(scene, plan.step, pushes, march.masses[0]).size:
-        return End.PARTED
-    velocity = moved(scene, plan.step, pushes, march.masses[0])[0]
-    rests = is_at_rest(scene, velocity, float(pushes[-1]) / plan.step)
-    return End.FOLLOWED if rests or done >= MOST_CHUNKS * plan.chunk else None
-
-
-def _apart(scene: Scene, masses: tuple[float, float], pushed: float) -> bool:
-    """Whether the bodies move apart as wholes."""
-    return scene.target.velocity + pushed / masses[1] > scene.impactor.velocity - pushed / masses[0]
-
-
-def _grown(record: Any, larger: Any) -> Any:
-    for old, new in zip(record, larger, strict=True):
-        new[: old.shape[0]] = old
-    return larger
-
-
-def shown(plan: Plan, scene: Scene, pushes: np.ndarray, done: int, mass: float) -> int:
-    """Steps to keep of a march until the bodies parted: a little beyond the last touch, up to a snapshot; pushes
-    (steps,): zero where they do not touch. Of one under weight a part of the flight, before it comes back."""
-    touching = np.flatnonzero(pushes > 0.0)
-    last = int(touching[-1]) + 1 if touching.size else 1  # in a step too long for a law they part as they touch
-    glow = math.ceil(AFTERGLOW * scene.time_unit / plan.step)
-    if scene.weight_acceleration:
-        flown = flights(scene, plan.step, pushes, mass)
-        later = touching[touching > flown[0]] if flown.size else touching[:0]
-        last = int(touching[touching < flown[0]][-1]) + 1 if flown.size else last
-        done = int(later[0]) if later.size else done
-        glow = min(glow, max(1, (done - last) // 2))
-    return min(done, plan.stride * math.ceil((last + glow) / plan.stride))
+    def _given(self, scene: Scene, duration: float) -> tuple[float, float]:
+        """See `motion.given`: by then, without histories and fields."""

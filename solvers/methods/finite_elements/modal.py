@@ -19,8 +19,9 @@ from ...solution.sampled_motion import ShapeField, given_up, growth
 from ...text.notes import Note, Severity
 from ..options import option, whole, word
 from ..parting import End
-from .march import ELEMENTS_RANGE, FINER, MUCH_FINER, FiniteElements, March, Plan, follow, shown
-from .motion import Course, shape_field
+from .follow import March, Plan, follow
+from .march import ELEMENTS_RANGE, FINER, MUCH_FINER, FiniteElements
+from .motion import Course, given, shape_field
 
 STEPS_PER_PERIOD = 20  # of the highest mode kept
 USUAL_MODES = 20  # with a consistent boundary
@@ -118,9 +119,10 @@ class FeModal(FiniteElements):
             duration = replace(self, steps=None)._course(scene, None).duration
         return self._histories(scene, *self._march(scene, duration))
 
-    def _last_impulse(self, scene: Scene, duration: float) -> float:
+    def _given(self, scene: Scene, duration: float) -> tuple[float, float]:
         _, _, _, plan, record, steps, _ = self._march(scene, duration)
-        return plan.step * float(record.contact_force[:steps].sum())
+        impulse = plan.step * np.append(0.0, np.cumsum(record.contact_force[:steps]))
+        return given(scene, plan.step, impulse, record.indentation[: steps + 1])
 
     def _march(
         self, scene: Scene, duration: float | None
@@ -162,7 +164,9 @@ class FeModal(FiniteElements):
             return plan.step * float(record.contact_force[:instant].sum())
 
         def room(record, instant):
-            swings = np.hypot(displacement, velocity).sum() + residual * abs(record.spring_force[instant])
+            row = instant // plan.stride
+            swings = np.hypot(record.checkpoint_displacement[row], record.checkpoint_velocity[row]).sum()
+            swings += residual * abs(record.spring_force[instant])
             dent = float(law.dent(max(float(record.indentation[: instant + 1].max()), 0.0)))
             return record.rigid_position[instant] - record.position[instant] + dent - swings
 
@@ -171,9 +175,12 @@ class FeModal(FiniteElements):
         def pushes(record, instant):
             return plan.step * record.contact_force[:instant]
 
-        record, done, how = follow(scene, plan, March(masses, make, advance, impulse, room, pushes))
-        if how is not End.FOLLOWED:
-            done = shown(plan, scene, pushes(record, done), done, masses[0])
+        def rings(record, instant):
+            energy = float((bank.energy * (displacement**2 + velocity**2)).sum())
+            return energy + 0.5 * residual * float(record.spring_force[instant]) ** 2
+
+        what = March(masses, law, make, advance, impulse, room, pushes, rings)
+        record, done, how = follow(scene, plan, what)
         return (first, second), law, residual, plan, record, done, how
 
     def _face_goes_along(self, scene: Scene) -> bool:

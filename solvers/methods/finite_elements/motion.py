@@ -88,26 +88,7 @@ class ElementMotion(SampledMotion):
 
     def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
         """Start and end [s] of every stretch with a contact force, located inside the steps."""
-        course = self.course
-        cells = np.flatnonzero(np.diff(course.impulse) > 0.0)  # the force at an instant may be of the step before it
-        if not cells.size:
-            return np.zeros(1), np.zeros(1)
-        breaks = np.flatnonzero(np.diff(cells) > 1)
-        firsts, lasts = cells[np.append(0, breaks + 1)], cells[np.append(breaks, cells.size - 1)]
-        dent = (lambda deepest: 0.0) if self.scene.rigid_contact else self.scene.contact.dent
-        deepest = np.maximum(np.maximum.accumulate(course.indentation), 0.0)
-
-        def closed(instants: np.ndarray, cells: np.ndarray) -> np.ndarray:
-            return course.indentation[instants] - np.array([dent(value) for value in deepest[cells].tolist()])
-
-        starts = course.step * (firsts + _zero(closed(firsts, firsts), closed(firsts + 1, firsts)))
-        left = closed(lasts + 1, lasts)
-        ends = course.step * (lasts + 1.0 - _zero(left, closed(lasts, lasts)))
-        for k in np.flatnonzero((left > 0.0) & (lasts + 1 < course.steps)):  # damping has used up the force before
-            pushes = np.diff(course.impulse[max(lasts[k] - 3, firsts[k]) : lasts[k] + 1])
-            lasting = run_out(*pushes.tolist()) if pushes.size == 3 else 1.0
-            ends[k] = course.step * (lasts[k] + lasting)
-        return starts, ends
+        return touches(self.scene, self.course.step, self.course.impulse, self.course.indentation)
 
     def contacts(self) -> list[ContactPeriod]:
         """Contact periods that this mesh resolves: the bodies are apart for longer than a front lasts in it."""
@@ -123,6 +104,37 @@ class ElementMotion(SampledMotion):
             gained = float(self.course.impulse[last] - self.course.impulse[first])
             found.append(ContactPeriod(start, end, gained, peak))
         return found
+
+
+def touches(scene: Scene, step: float, impulse: np.ndarray, indentation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """See `ElementMotion.raw_contacts`; impulse so far [N s] and indentation [m], (steps + 1,)."""
+    cells = np.flatnonzero(np.diff(impulse) > 0.0)  # the force at an instant may be of the step before it
+    if not cells.size:
+        return np.zeros(1), np.zeros(1)
+    breaks = np.flatnonzero(np.diff(cells) > 1)
+    firsts, lasts = cells[np.append(0, breaks + 1)], cells[np.append(breaks, cells.size - 1)]
+    dent = (lambda deepest: 0.0) if scene.rigid_contact else scene.contact.dent
+    deepest = np.maximum(np.maximum.accumulate(indentation), 0.0)
+
+    def closed(instants: np.ndarray, cells: np.ndarray) -> np.ndarray:
+        return indentation[instants] - np.array([dent(value) for value in deepest[cells].tolist()])
+
+    starts = step * (firsts + _zero(closed(firsts, firsts), closed(firsts + 1, firsts)))
+    left = closed(lasts + 1, lasts)
+    ends = step * (lasts + 1.0 - _zero(left, closed(lasts, lasts)))
+    for k in np.flatnonzero((left > 0.0) & (lasts + 2 < impulse.size)):  # damping has used up the force before
+        pushes = np.diff(impulse[max(lasts[k] - 3, firsts[k]) : lasts[k] + 1])
+        lasting = run_out(*pushes.tolist()) if pushes.size == 3 else 1.0
+        ends[k] = step * (lasts[k] + lasting)
+    return starts, ends
+
+
+def given(scene: Scene, step: float, impulse: np.ndarray, indentation: np.ndarray) -> tuple[float, float]:
+    """Impulses that the impactor has got by its last parting [N s]: of the contact, and of its weight until then."""
+    if not scene.weight_acceleration:
+        return float(impulse[-1]), 0.0
+    until = float(touches(scene, step, impulse, indentation)[1][-1])
+    return float(impulse[-1]), scene.impactor.mass * scene.weight_acceleration * until
 
 
 def shape_field(

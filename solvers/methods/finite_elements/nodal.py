@@ -20,9 +20,10 @@ from ...solution.sampled_motion import ShapeField, given_up
 from ...text.notes import Note, Severity
 from ..options import option, word
 from ..parting import End
-from .march import MANY_ELEMENTS, FiniteElements, March, Plan, follow, shown
+from .follow import March, Plan, follow
+from .march import MANY_ELEMENTS, FiniteElements
 from .modal import FeModal
-from .motion import Course, shape_field
+from .motion import Course, given, shape_field
 
 STEPS_PER_ELEMENT = 4  # of Newmark's step while a wave crosses one element
 MAX_ENERGY_GAIN = 0.01  # of the energy, gained or lost by the scheme
@@ -88,9 +89,9 @@ class FeNodal(FiniteElements):
             duration = replace(self, steps=None)._course(scene, None).duration
         return _nodal_course(scene, *self._marched(scene, duration))
 
-    def _last_impulse(self, scene: Scene, duration: float) -> float:
-        *_, record, steps, _, _ = self._marched(scene, duration)
-        return float(record.impulse[steps])
+    def _given(self, scene: Scene, duration: float) -> tuple[float, float]:
+        *_, plan, record, steps, _, _ = self._marched(scene, duration)
+        return given(scene, plan.step, record.impulse[: steps + 1], record.indentation[: steps + 1])
 
     def _marched(
         self, scene: Scene, duration: float | None
@@ -147,18 +148,19 @@ class FeNodal(FiniteElements):
             snapshot = instant // stride
             fallen = 0.5 * fall * (snapshot * stride * step) ** 2  # as seen from the frame of the march
             dent = float(law.dent(max(float(record.deepest[instant]), 0.0)))
-            return _room(bodies, meshes, record.displacement[snapshot], record.velocity[snapshot]) + dent - fallen
+            return _room(bodies, _ringing(meshes, record, snapshot)) + dent - fallen
 
         def pushes(record, instant):
             return np.diff(record.impulse[: instant + 1])
 
-        march = March(masses, make, advance, lambda record, k: float(record.impulse[k]), room, pushes)
+        def rings(record, instant):
+            return sum(energy for _, energy in _ringing(meshes, record, instant // stride))
+
+        march = March(masses, law, make, advance, lambda record, k: float(record.impulse[k]), room, pushes, rings)
         record, done, how = follow(scene, plan, march)
         diverged = self.status == "frozen" and done < plan.most and how is End.FOLLOWED and not fall
         if diverged:
             done -= done % stride
-        elif how is not End.FOLLOWED:
-            done = shown(plan, scene, pushes(record, done), done, masses[0])
         done = max(done, stride)
         if fall:
             _let_fall(record, fall, step, stride, done, np.concatenate((meshes[0].moving(1.0), meshes[1].moving(0.0))))
@@ -175,11 +177,15 @@ def _let_fall(record: newmark.Record, fall: float, step: float, stride: int, don
     record.velocity[:rows] += np.multiply.outer(fall * at, moves)
 
 
-def _room(bodies, meshes, u: np.ndarray, v: np.ndarray) -> float:
-    """By how much further both bodies as wholes are apart than their faces reach [m]; see `numerics.parting`."""
-    first = meshes[0].size
+def _ringing(meshes, record: newmark.Record, snapshot: int) -> list[tuple[float, float]]:
+    """See `Mesh.ringing`, of both bodies."""
+    u, v, first = record.displacement[snapshot], record.velocity[snapshot], meshes[0].size
     parts = slice(first), slice(first, None)
-    known = [mesh.ringing(u[part], v[part]) for mesh, part in zip(meshes, parts, strict=True)]
+    return [mesh.ringing(u[part], v[part]) for mesh, part in zip(meshes, parts, strict=True)]
+
+
+def _room(bodies, known: list[tuple[float, float]]) -> float:
+    """By how much further both bodies as wholes are apart than their faces reach [m]; see `numerics.parting`."""
     reaches = [reach(energy, body.face_compliance) for (_, energy), body in zip(known, bodies, strict=True)]
     return float(known[1][0] - known[0][0] - sum(reaches))
 

@@ -30,8 +30,8 @@ MIN_STEPS_PER_CONTACT = 20.0  # with fewer neither its peak nor its losses are r
 def error_of_modes(
     motion: ModalMotion, modes: int, solved: Callable[[int, AnyBody], float], begun: Callable[[int, float], float]
 ) -> float:
-    """Of the final velocity, relative to the impact speed. `solved`: that velocity by so many modes, and a target, in
-    steps to match; `begun`: that at an instant of the first contact [s] by so many.
+    """Of the final velocity, relative to the impact speed. `solved`: that as they part by so many modes, and a target,
+    in steps to match; `begun`: that at an instant of the first contact [s] by so many.
 
     Of few modes, as of a pendulum or of links that have their own, against more, which cost little: fewer are no beam
     any longer. The factors are such that random impacts keep to it: `tests/random_estimates.py`.
@@ -39,7 +39,7 @@ def error_of_modes(
     scene = motion.scene
 
     def difference(count: int, target: AnyBody = scene.target) -> float:
-        return (motion.final_velocity - solved(count, target)) / scene.speed
+        return (motion.parting_velocity - solved(count, target)) / scene.speed
 
     missed = _missed_by_springs(motion, modes, begun)
     if isinstance(scene.target, StruckMechanism) and scene.target.most_modes:

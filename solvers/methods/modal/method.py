@@ -21,6 +21,7 @@ from ..estimates import with_error
 from ..options import option, whole, word
 from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience, swinging
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
+from ..weight import FLIES, GOES_ON, LOOKS
 from . import weight
 from .estimate import MIN_STEPS_PER_CONTACT, MOST_MODES, STEPS_OF_FIRST_CONTACT, error_of_modes, steps_of_a_contact
 from .frames import frame_figures, pivot_figures
@@ -235,7 +236,7 @@ class Modal(Method):
         def solved(modes: int, target: AnyBody) -> float:
             steps = max(10, math.ceil(0.5 * motion.steps * max(1.0, modes / self.modes / 2.0)))
             other = replace(scene, impactor=scene.impactor.with_share_of_modes(modes / self.modes), target=target)
-            return replace(self, modes=modes, steps=steps)._march(other, motion.duration).final_velocity
+            return replace(self, modes=modes, steps=steps)._march(other, motion.duration).parting_velocity
 
         def begun(modes: int, until: float) -> float:
             return replace(self, modes=modes, steps=STEPS_OF_FIRST_CONTACT)._march(scene, until).final_velocity
@@ -306,10 +307,10 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
     record = _record(chunk, stride, size)
     record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
     displacement, velocity = np.zeros(size), np.zeros(size)
-    done, touched, how, resting = 0, 0, End.FOLLOWED, weight.GOES_ON
+    done, touched, how, resting = 0, 0, End.FOLLOWED, GOES_ON
     alike, longest = moves_alike(scene) or not swinging(scene), patience(scene)
     while done < most:
-        until = min(done + chunk, most)
+        until = min(done + (max(chunk, done // LOOKS) if weighs else chunk), most)
         if until > record.contact_force.size:
             record = _grown(record, min(2 * until, most), stride)
         march(
@@ -317,13 +318,13 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
             displacement, velocity, stride, done, until, record,
         )  # fmt: skip
         apart = not record.contact_force[done:until].any()
-        done = until
+        begun, done = done, until
         if weighs:
-            span = max(until - chunk, 0), done, stride
+            span = begun, done, stride
             resting, done = weight.state(scene, law, spring, bank, record, span, displacement, velocity, step)
-            if resting == weight.GOES_ON:
+            if resting == GOES_ON:
                 continue
-            if resting == weight.FLIES:
+            if resting == FLIES:
                 how = End.PARTED
                 last = last_touch(scene, law, record, step, done)
                 glow = math.ceil(AFTERGLOW * scene.time_unit / step)

@@ -103,6 +103,13 @@ class ModalMotion:
         held = np.isinf(self.pair.impactor.rigid_mass)
         return float((self.record.rigid_velocity if held else self.record.velocity)[-1])
 
+    @property
+    def parting_velocity(self) -> float:
+        """The same as they part for good: what falls speeds up again."""
+        fall, contacts = self.scene.weight_acceleration, self.contacts()
+        since = max(self.duration - contacts[-1].end, 0.0) if fall and contacts else 0.0
+        return self.final_velocity - fall * since
+
     # --- the bodies as wholes, and their struck faces
 
     def impactor_position(self, time):

@@ -5,15 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from ...numerics.collisions import SWINGS, SWINGS_TO_REST
 from ...numerics.oscillators import Bank, Record, Residual, carried
 from ...scene import Scene
-from ...text.notes import Note, Severity
-from ..weight import comes_to_rest, is_at_rest
+from ...text.notes import Note
+from ..weight import FLIES, RESTS, SWINGS_ON, comes_to_rest, never_leaves, stays
 
 PARTS = 4  # of the slowest period, after each of which it is looked whether all is over
-MOST_SWINGS = 10.0  # times as many as of what never leaves: then the march is cut short
-GOES_ON, FLIES, RESTS, SWINGS_ON, ENDLESS = range(5)
 
 
 def state(
@@ -38,21 +35,13 @@ def state(
     if flies:
         return FLIES, flies
     force, depth = float(record.contact_force[done - 1]), float(record.indentation[done])
-    dent = float(law.dent(max(float(record.indentation[: done + 1].max()), 0.0)))
-    velocity = record.velocity[: done + 1]
-    if is_at_rest(scene, velocity, force):
-        return RESTS, done
+    deepest = max(float(record.indentation[: done + 1].max()), 0.0)
+    dent, velocity = float(law.dent(deepest)), record.velocity[: done + 1]
     rings = float((bank.energy * (q * q + p * p)).sum())
     rings += 0.5 * spring.compliance * float(record.spring_force[done]) ** 2
-    kept = 0.5 * mass * float(velocity[-1]) ** 2 + rings + float(law.stored(depth, max(depth, dent)))
+    kept = 0.5 * mass * float(velocity[-1]) ** 2 + rings + float(law.stored(depth, deepest))
     kept -= mass * fall * float(record.position[done] - dent)
-    bound = kept < 0.5 * mass * (fall * step) ** 2  # or leaves for less than a step
-    damped = scene.contact.LOSSY or scene.impactor.damping or scene.target.damping
-    most = SWINGS_TO_REST if damped else SWINGS
-    swings = 0.5 * float(np.count_nonzero(np.diff(np.signbit(velocity))))
-    if bound and swings >= most:
-        return SWINGS_ON, done
-    return (ENDLESS if swings >= MOST_SWINGS * most else GOES_ON), done
+    return stays(scene, velocity, force, kept, 0.5 * mass * (fall * step) ** 2), done  # or leaves for less than a step
 
 
 def _flies(law: Any, spring: Residual, bank: Bank, record: Record, span: tuple[int, int, int]) -> int:
@@ -91,6 +80,5 @@ def notes(scene: Scene, how: int, duration: float, depth: float) -> list[Note]:
     if how == RESTS:
         return [comes_to_rest(scene, duration, depth)]
     if how == SWINGS_ON:
-        damped = bool(scene.contact.LOSSY or scene.impactor.damping or scene.target.damping)
-        return [Note("never-leaves", Severity.REMARK, time=duration, damped=damped)]
+        return [never_leaves(scene, duration)]
     return []

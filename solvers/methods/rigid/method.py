@@ -16,6 +16,7 @@ from ...solution.solution import ContactPeriod, Solution
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..options import option, real, word
+from ..weight import left_out_later
 from .friction import models, restored, rubbed, rubbing_notes, sliding
 
 ALONG = (1.0, 0.0, 0.0)  # the axis on which bodies without a normal meet
@@ -65,6 +66,7 @@ class RigidImpulse(Method):
             found = by_model[self.model]
             pushed = found.impulse
         wall_time = clock() - begun
+        asked = duration is not None
         duration = AFTERGLOW * scene.time_unit if duration is None else duration
         impulse = float(pushed @ normal)
         energy, force = _energy(scene, before, found), None if impulse else 0.0
@@ -73,6 +75,8 @@ class RigidImpulse(Method):
             "restitution": self._restitution(scene, before, found, normal),
             "notes": _notes(scene, before, found, impulse),
         }
+        if asked:
+            figures["notes"] += left_out_later(scene, scene.weight_acceleration, duration)
         if isinstance(found, Rubbed):
             figures["notes"] += rubbing_notes(scene, by_model, self.model)
             figures |= {

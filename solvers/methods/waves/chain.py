@@ -23,8 +23,9 @@ from ...numerics.waves.record import (
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
+from ..weight import ENDLESS, FLIES, GOES_ON
 from .chain_scene import ChainHistory, ChainScene
-from .weight import ENDLESS, FLIES, GOES_ON, Falling
+from .weight import Falling
 
 STRETCHES = 4_000  # of a node, to begin with
 MAX_STRETCHES = 200_000  # of all nodes together

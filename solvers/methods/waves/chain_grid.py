@@ -28,9 +28,10 @@ from ...numerics.waves.record import (
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
+from ..weight import ENDLESS, GOES_ON
 from .chain_scene import UNKNOWN, ChainHistory, ChainScene
 from .grid_parted import clear
-from .weight import ENDLESS, GOES_ON, Falling
+from .weight import Falling
 
 NODE_STEPS = 2_000_000  # of all nodes together: some tenths of a second, 80 MB
 PARTING_CHECKS = 40  # over the time followed, whether the bodies have parted; more cost time, fewer a longer tail

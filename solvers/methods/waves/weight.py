@@ -5,20 +5,28 @@ from typing import Any
 
 import numpy as np
 
-from ...numerics.collisions import SWINGS, SWINGS_TO_REST
 from ...numerics.parting import reach
 from ...numerics.waves.parted import of_part
 from ...numerics.waves.parts import ABSORBING
 from ...numerics.waves.record import PLACE, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW
-from ..weight import about_so_long, comes_to_rest, is_at_rest
+from ..weight import (
+    FLIES,
+    GOES_ON,
+    RESTS,
+    SINKS,
+    SWINGS_ON,
+    about_so_long,
+    comes_to_rest,
+    is_at_rest,
+    never_leaves,
+    stays,
+)
 
 PARTS = 4  # of an impact, after each of which it is looked whether all is over
-MOST_SWINGS = 10.0  # times as many as of what never leaves: then it is cut short
 IN_A_FLIGHT, IN_A_PART = 32, 64  # instants of each
 ROUNDING = 1e-12  # of a time
-GOES_ON, FLIES, RESTS, SINKS, SWINGS_ON, ENDLESS = range(6)
 
 
 class Falling:
@@ -76,18 +84,11 @@ class Falling:
             carried = self.fall * self.mass / float(self.chain.impedance[-1])
             if is_at_rest(history.scene, speed * (velocity - carried), pressed):
                 return SINKS
-        elif is_at_rest(history.scene, speed * velocity, pressed):
-            return RESTS
         kept = 0.5 * self.mass * float(velocity[-1]) ** 2 + sum(self._ringing(history, t))
         kept += float(np.sum(history.stored(np.array([t])))) + self.mass * self.fall * float(
             self._height(history, np.array([t]))[0]
         )
-        damped = history.scene.contact.LOSSY or self._endless
-        most = SWINGS_TO_REST if damped else SWINGS
-        swings = 0.5 * float(np.count_nonzero(np.diff(np.signbit(velocity))))
-        if kept < 0.0 and swings >= most:
-            return SWINGS_ON
-        return ENDLESS if swings >= MOST_SWINGS * most else GOES_ON
+        return stays(history.scene, speed * velocity, pressed, kept)
 
     def _height(self, history: Any, t: np.ndarray) -> np.ndarray:
         """Of the impactor as a whole, over where it touched first and what dent is left."""
@@ -134,5 +135,4 @@ class Falling:
             weight = scene.impactor.mass * scene.weight_acceleration
             impedance = self.given.rods[-1].impedance
             return [Note("sinks-on", Severity.REMARK, velocity=weight / impedance, force=weight)]
-        damped = bool(scene.contact.LOSSY or self._endless)
-        return [Note("never-leaves", Severity.REMARK, time=time, damped=damped)] if self.how == SWINGS_ON else []
+        return [never_leaves(scene, time)] if self.how == SWINGS_ON else []

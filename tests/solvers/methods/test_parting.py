@@ -7,7 +7,7 @@ import pytest
 
 import solvers
 from solvers import Balance, FeModal, FeNodal, Modal, Scene, Waves
-from solvers.methods.finite_elements.march import SNAPSHOTS
+from solvers.methods.finite_elements.follow import SNAPSHOTS
 from solvers.numerics.elements.modes import mesh_modes
 from tests.catalog import struck_rod
 from tests.random_necks import random_neck

@@ -12,7 +12,7 @@ from app.command.main import main
 from solvers import Modal, Scene, Solution
 from solvers.contact import PlasticPower
 from solvers.methods.balance import method as balance
-from solvers.methods.finite_elements import march as element_march
+from solvers.methods.finite_elements import follow as element_march
 from solvers.methods.modal import method as modal
 from solvers.methods.validity import TWICE
 from solvers.methods.waves.histories import RigidHistory

@@ -226,3 +226,16 @@ def test_meshes_of_beams_balance_as_their_exact_modes():
     assert mesh.diagnostics["balances"] == exact.diagnostics["balances"]
     assert mesh.impactor_velocity == approx(exact.impactor_velocity, abs=1e-4)
     assert abs(mesh.diagnostics["energy_error"]) < 1e-9
+
+
+@pytest.mark.parametrize("restitution, duration", [(1.0, 0.3), (0.5, 0.1)])
+def test_what_falls_on_a_stop_comes_back_within_the_time_asked_for(restitution, duration):
+    """At first it is off for 2 e v / g, then for e times as long."""
+    scene = Scene.from_table({"impactor": {"mass": 1.0, "height": 0.02}, "target": {"kind": "stop"}})
+    found = solvers.METHODS["balance"](restitution=restitution).solve(scene, duration)
+    speed, fall = scene.speed, scene.weight_acceleration
+    touches = np.append(0.0, np.cumsum(2.0 * speed / fall * restitution ** np.arange(1, 3)))
+    assert [each.start for each in found.contacts] == approx(touches, rel=1e-9)
+    velocity = -speed * restitution**3 + fall * (duration - touches[-1])
+    assert float(found.motion.impactor_velocity(duration)) == approx(velocity)
+    assert abs(found.diagnostics["energy_error"]) < 1e-10
