@@ -6,6 +6,7 @@
 ['time (s)', 'contact force (N)']
 """
 
+import textwrap
 from typing import Any
 
 import holoviews as hv
@@ -17,6 +18,8 @@ from .figures import FIELDS, HISTORIES, STRIKING, Figure, histories_of, origin, 
 INSTANTS, PLACES = 801, 401
 LONGEST_HISTORY = 20_000  # instants; a longer one is drawn at INSTANTS
 WIDTH, HEIGHT = 700, 350  # pixels
+LETTERS = 56  # of a line of a title, which is as wide as a picture
+CLEAR = 10  # pixels between a bar of colours and its label
 LONG_LEGEND = 250  # pixels, of methods with their options
 TIME = hv.Dimension("time", label="time", unit="s")
 Drawn = hv.core.Dimensioned  # what all of these are
@@ -36,17 +39,19 @@ def _draw_with_bokeh() -> None:
 
 
 def _titled(drawn: Any, title: str, about: str) -> Any:
-    return _wide(drawn.relabel(f"{title or 'Scene'}, {about}"))
-
-
-def _wide(drawn: Any) -> Any:
     """Long enough for many contacts, the legend beside them; of Bokeh alone, as others measure in other units."""
+    label = f"{title or 'Scene'}, {about}"
+    drawn = drawn.relabel(label)
     if hv.Store.current_backend != "bokeh":
         return drawn
-    size = {"width": WIDTH, "height": HEIGHT}
-    kinds = (hv.opts.Curve, hv.opts.Image, hv.opts.Area, hv.opts.Scatter, hv.opts.Points, hv.opts.QuadMesh)
-    beside = (kind(**size, legend_position="right") for kind in (hv.opts.Overlay, hv.opts.NdOverlay))
-    return drawn.opts(*(kind(**size) for kind in kinds), *beside)
+    lines = textwrap.fill(label, LETTERS).replace("{", "{{").replace("}", "}}")  # HoloViews fills in what is in braces
+    look = {"width": WIDTH, "height": HEIGHT, "title": lines, "fontsize": {"title": "11pt"}}
+    kinds = (hv.opts.Curve, hv.opts.Area, hv.opts.Scatter)
+    scaled = (hv.opts.Image, hv.opts.Points, hv.opts.QuadMesh)
+    beside = (kind(**look, legend_position="right") for kind in (hv.opts.Overlay, hv.opts.NdOverlay))
+    bar = {"colorbar_opts": {"title_standoff": CLEAR}}
+    whole = hv.opts.Layout(show_title=False)  # each of its parts has one
+    return drawn.opts(*(kind(**look) for kind in kinds), *(kind(**look, **bar) for kind in scaled), *beside, whole)
 
 
 def _instants(solution: Any) -> np.ndarray:
