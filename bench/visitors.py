@@ -157,7 +157,7 @@ def _classes(known: tuple[str, int] | None = None) -> dict[str, object]:
     """A whole class, each visitor with two changes a second, scenes mixed."""
     rows = []
     seconds = of(SECONDS, 1.0)
-    for sessions in of((10, 25, 50), (4,)):
+    for sessions in of((10, 25, 50, 100), (4,)):
         with served_page(known) as (address, _):
 
             async def visit(address: str = address, sessions: int = sessions) -> list[list[float | None]]:

@@ -17,7 +17,8 @@ from .choices import SCENES, Choices, accepts
 IN_SPACE = ("hodograph", "course")  # charts of bodies there
 CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "support", "reactions", "energy", *IN_SPACE)
 OF_LAW = ("force", "pressure", "radius")  # what the chart of the contact law shows over the indentation
-READ = ("stress", "waves", "velocity", "displacement", "moment", "shear", "deflection", *OF_LAW)  # else by a gauge
+BY_GAUGE = ("stress", "strain", "waves", "velocity", "displacement", "moment", "shear", "deflection")
+READ = (*BY_GAUGE, *OF_LAW)
 PICTURE = "picture"  # alone
 TABS = (PICTURE, "controls", "charts", "story", "numbers", "analysis")
 OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities

@@ -2,12 +2,14 @@
 
 import io
 import os
+from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 
-from solvers import SceneError, Solution
+from solvers import SceneError, Solution, validation
+from solvers.notebook.figures import fields_of, reach
 from solvers.scenes.saved import commented, saved_head
 
 from .words import text
@@ -16,8 +18,8 @@ SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
 
 
-def _histories(solution: Solution) -> dict[str, tuple[str, np.ndarray]]:
-    """Name: unit and values; at a jump of the force the time stands twice."""
+def _histories(solution: Solution, also: np.ndarray | None = None) -> dict[str, tuple[str, np.ndarray]]:
+    """Name: unit and values; at a jump of the force the time stands twice. `also`: instants besides its own."""
     motion = solution.known_motion
     time, force = motion.force_history()
     kept = time <= solution.duration
@@ -25,6 +27,10 @@ def _histories(solution: Solution) -> dict[str, tuple[str, np.ndarray]]:
     if time.size > 10 * SERIES_POINTS:
         time = np.linspace(0.0, solution.duration, SERIES_POINTS)
         force = motion.force(time)
+    if also is not None:
+        more = np.setdiff1d(also, time)
+        order = np.argsort(np.append(time, more), kind="stable")
+        time, force = np.append(time, more)[order], np.append(force, motion.force(more))[order]
     doubled = np.append(time[1:] == time[:-1], False)
 
     def jumping(velocity):
@@ -48,15 +54,40 @@ def check_name(name: str, *endings: str) -> None:
         raise SceneError("--series", name, text("wanted.no-xarray"))
 
 
-def write_series(solution: Solution, path: Path) -> None:
-    """Histories as comma-separated values below the scene that they are of, or histories and fields as NetCDF, by the
-    ending of the name.
+def check_places(words: Sequence[str], series: str | None) -> list[float]:
+    """The places [m] of `--at`. Raises SceneError for a word that is no number, and where no CSV file is written."""
+    if words and not (series or "").endswith(".csv"):
+        raise SceneError("--at", words[0], text("wanted.at-in-csv"))
+    try:
+        return [float(word) for word in words]
+    except ValueError:
+        raise SceneError("--at", words, text("wanted.place")) from None
 
-    Raises OSError if the file cannot be written, SceneError if the solution has no histories.
+
+def _at_places(solution: Solution, time: np.ndarray, places: Sequence[float]) -> dict[str, tuple[str, np.ndarray]]:
+    """Every field at these places [m], which are within the bodies, or refused with a SceneError."""
+    first, last = reach(solution)
+    found = {}
+    for place in places:
+        x = np.array([validation.number("--at", place, first, last, "m")])
+        for name, field in fields_of(solution.scene).items():
+            unit = field.unit.replace("/", "_per_").replace(" ", "_")
+            found[f"{name}_at_{place:.9g}_m"] = unit, field.of(solution.known_motion, time, x)[:, 0]
+    return found
+
+
+def write_series(solution: Solution, path: Path, places: Sequence[float] = ()) -> None:
+    """Histories as comma-separated values below the scene that they are of, with the fields at these places [m], or
+    histories and fields as NetCDF, by the ending of the name.
+
+    Raises OSError if the file cannot be written, SceneError if the solution has no histories, or for a place outside.
     """
     if solution.motion is None:
         raise SceneError("--series", str(path), text("wanted.no-history"))
     histories = _histories(solution)
+    if places:  # fronts pass there when nothing happens at the contact
+        histories = _histories(solution, np.linspace(0.0, solution.duration, SERIES_POINTS))
+        histories |= _at_places(solution, histories["time"][1], places)
     if path.suffix == ".csv":
         rows = io.StringIO()
         rows.write(commented(saved_head(solution.scene, solution.method, solution.duration)))

@@ -77,6 +77,7 @@ def _parser() -> argparse.ArgumentParser:
     solve = commands.add_parser("solve", help=text("help.solve.about"))
     _scene_arguments(solve)
     solve.add_argument("--series", metavar="FILE", help=text("help.solve.series"))
+    solve.add_argument("--at", action="append", default=[], metavar="X", help=text("help.solve.at"))
     solve.set_defaults(run=_solve)
 
     compare = commands.add_parser("compare", help=text("help.compare"))
@@ -315,17 +316,15 @@ def parse_changes(changes: list[str]) -> dict[str, Any]:
 
 
 def _solve(options: argparse.Namespace) -> int:
-    scene = _scene(options)
-    if options.series is not None:
-        from .export import check_name
+    from .export import check_name, check_places, write_series
 
+    scene, places = _scene(options), check_places(options.at, options.series)
+    if options.series is not None:
         check_name(options.series, ".csv", ".nc")
     solution = solvers.solve(scene)
     if options.series is not None:
-        from .export import write_series
-
         try:
-            write_series(solution, Path(options.series))
+            write_series(solution, Path(options.series), places)
         except OSError as error:
             raise SceneError("--series", options.series, text("wanted.writable", why=error.strerror)) from None
     if options.json:

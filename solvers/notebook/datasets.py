@@ -68,10 +68,15 @@ def _attributes(solution: Any) -> dict[str, str]:
 
 def figures(found: Any, units: Any) -> Dataset:
     """See `Figures.dataset`; `units` by figure."""
+    about = {name: {"units": units[name], "long_name": name.replace("_", " ")} for name in found.columns}
+    version_of = {"version": f"Strikewave {version()}"}
+    filled = found.grid()
+    if filled is not None:
+        axes, arrays = filled
+        places = {key: (key, values, {"units": found.units.get(key, "")}) for key, values in axes.items()}
+        columns = {name: (tuple(axes), values, about[name]) for name, values in arrays.items()}
+        return Dataset(columns, places, version_of)
     scene = {"scene": ("scene", np.arange(len(found)), {"long_name": "number of the scene"})}
-    varied = {key: ("scene", values) for key, values in found.varied.items()}
-    columns = {
-        name: ("scene", values, {"units": units[name], "long_name": name.replace("_", " ")})
-        for name, values in found.columns.items()
-    }
-    return Dataset(columns, scene | varied, {"version": f"Strikewave {version()}"})
+    varied = {key: ("scene", values, {"units": found.units.get(key, "")}) for key, values in found.varied.items()}
+    columns = {name: ("scene", values, about[name]) for name, values in found.columns.items()}
+    return Dataset(columns, scene | varied, version_of)

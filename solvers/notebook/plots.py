@@ -6,6 +6,7 @@
 ['time (s)', 'contact force (N)']
 """
 
+import textwrap
 from typing import Any
 
 import holoviews as hv
@@ -17,6 +18,8 @@ from .figures import FIELDS, HISTORIES, STRIKING, Figure, histories_of, origin, 
 INSTANTS, PLACES = 801, 401
 LONGEST_HISTORY = 20_000  # instants; a longer one is drawn at INSTANTS
 WIDTH, HEIGHT = 700, 350  # pixels
+LETTERS = 56  # of a line of a title, which is as wide as a picture
+CLEAR = 10  # pixels between a bar of colours and its label
 LONG_LEGEND = 250  # pixels, of methods with their options
 TIME = hv.Dimension("time", label="time", unit="s")
 Drawn = hv.core.Dimensioned  # what all of these are
@@ -36,17 +39,19 @@ def _draw_with_bokeh() -> None:
 
 
 def _titled(drawn: Any, title: str, about: str) -> Any:
-    return _wide(drawn.relabel(f"{title or 'Scene'}, {about}"))
-
-
-def _wide(drawn: Any) -> Any:
     """Long enough for many contacts, the legend beside them; of Bokeh alone, as others measure in other units."""
+    label = f"{title or 'Scene'}, {about}"
+    drawn = drawn.relabel(label)
     if hv.Store.current_backend != "bokeh":
         return drawn
-    size = {"width": WIDTH, "height": HEIGHT}
-    kinds = (hv.opts.Curve, hv.opts.Image, hv.opts.Area, hv.opts.Scatter, hv.opts.QuadMesh)
-    beside = (kind(**size, legend_position="right") for kind in (hv.opts.Overlay, hv.opts.NdOverlay))
-    return drawn.opts(*(kind(**size) for kind in kinds), *beside)
+    lines = textwrap.fill(label, LETTERS).replace("{", "{{").replace("}", "}}")  # HoloViews fills in what is in braces
+    look = {"width": WIDTH, "height": HEIGHT, "title": lines, "fontsize": {"title": "11pt"}}
+    kinds = (hv.opts.Curve, hv.opts.Area, hv.opts.Scatter)
+    scaled = (hv.opts.Image, hv.opts.Points, hv.opts.QuadMesh)
+    beside = (kind(**look, legend_position="right") for kind in (hv.opts.Overlay, hv.opts.NdOverlay))
+    bar = {"colorbar_opts": {"title_standoff": CLEAR}}
+    whole = hv.opts.Layout(show_title=False)  # each of its parts has one
+    return drawn.opts(*(kind(**look) for kind in kinds), *(kind(**look, **bar) for kind in scaled), *beside, whole)
 
 
 def _instants(solution: Any) -> np.ndarray:
@@ -141,9 +146,25 @@ def figures(found: Any, what: str, units: Any) -> Any:
     """See `Figures.plot`; `units` by figure."""
     choice("what", what, units)
     _draw_with_bokeh()
-    only = next(iter(found.varied.items())) if len(found.varied) == 1 else ("scene", np.arange(len(found)))
     value = hv.Dimension(what, label=what.replace("_", " "), unit=units[what] or None)
-    return _titled(hv.Scatter((only[1], found.columns[what]), hv.Dimension(only[0]), value), "", what)
+    keys = [hv.Dimension(key, unit=found.units.get(key) or None) for key in found.varied]
+    if len(keys) == 2:
+        return _titled(_over_two(found, what, keys, value), "", what)
+    key, across = (keys[0], found.varied[keys[0].name]) if len(keys) == 1 else ("scene", np.arange(len(found)))
+    return _titled(hv.Scatter((across, found.columns[what]), key, value), "", what)
+
+
+def _over_two(found: Any, what: str, keys: list[Any], value: Any) -> Any:
+    """A map where two keys form a grid, else coloured points; by powers of ten where values span a hundredfold."""
+    logs = [bool(values.min() > 0.0 and values.max() >= 99.9 * values.min()) for values in found.varied.values()]
+    options = {"logx": logs[0], "logy": logs[1], "colorbar": True, "cmap": "viridis"}
+    filled = found.grid()
+    if filled is None or min(axis.size for axis in filled[0].values()) < 2:
+        points = hv.Points((*found.varied.values(), found.columns[what]), keys, value)
+        return points.opts(**options, color=what) if hv.Store.current_backend == "bokeh" else points
+    axes, arrays = filled
+    edges = [_edges(axis, log) for axis, log in zip(axes.values(), logs, strict=True)]
+    return hv.QuadMesh((*edges, arrays[what].T), keys, value).opts(**options)
 
 
 BANDS = {

@@ -77,10 +77,21 @@ def _no_such_scene(given: object) -> SceneError:
     return SceneError("scene", given, allowed("scene", names=plain))
 
 
+def _holds_results(path: Path) -> bool:
+    """Whether it is a NetCDF file, of `Solution.dataset` or `--series`, by how such files begin."""
+    try:
+        with path.open("rb") as file:
+            return file.read(4).startswith((b"CDF", b"\x89HDF"))
+    except OSError:
+        return False  # said below
+
+
 def read_toml(path: Path) -> dict[str, Any]:
     import tomllib
 
     saved = path.suffix.lower() == ".csv"
+    if _holds_results(path):
+        raise SceneError("scene", str(path), allowed("scene-not-results"))
     if not saved and path.stat().st_size > MAX_FILE_SIZE:
         raise SceneError("scene", str(path), allowed("scene-size", most=MAX_FILE_SIZE))
     try:

@@ -1,5 +1,6 @@
 """What came of each of many scenes, as columns: all figures, or those that were asked for."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -54,7 +55,7 @@ class Figures:
     """What came of each of many scenes; all arrays (scenes,), NaN where a figure does not exist. See `Solution`.
 
     `columns`: those that there are, by name; one that was not asked for is refused with a SceneError when it is read.
-    `varied`: the columns of values that the scenes differ by.
+    `varied`: the columns of values that the scenes differ by; `units`: of these values.
     """
 
     contacts = _Column()  # how many periods of contact
@@ -74,9 +75,14 @@ class Figures:
     momentum_error = _Column()  # of the impactor's momentum
     estimated_error = _Column()  # of the impactor's velocity, of the speed of approach
 
-    def __init__(self, found: Mapping[str, Any], varied: Mapping[str, np.ndarray] | None = None):
+    def __init__(
+        self,
+        found: Mapping[str, Any],
+        varied: Mapping[str, np.ndarray] | None = None,
+        units: Mapping[str, str] | None = None,
+    ):
         """Of these columns alone, None for what does not exist."""
-        self.varied = dict(varied or {})
+        self.varied, self.units = dict(varied or {}), dict(units or {})
         self.columns = {
             name: np.asarray(found[name], int if name == "contacts" else float) for name in FIGURES if name in found
         }
@@ -87,8 +93,24 @@ class Figures:
     def __repr__(self) -> str:
         return f"<Figures of {len(self)} scenes: {', '.join([*self.varied, *self.columns])}>"
 
+    def grid(self) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]] | None:
+        """The different values of each key in rising order, and each figure as an array with a dimension for each key.
+
+        None where the scenes do not have each value of a key with each of the others', once.
+        """
+        axes, where = {}, np.zeros(len(self), int)
+        for key, values in self.varied.items():
+            axes[key], place = np.unique(values, return_inverse=True)
+            where = where * axes[key].size + place
+        sizes = [axis.size for axis in axes.values()]
+        if not axes or math.prod(sizes) != len(self) or np.unique(where).size != len(self):
+            return None
+        order = np.argsort(where)
+        return axes, {name: values[order].reshape(sizes) for name, values in self.columns.items()}
+
     def dataset(self) -> Any:
-        """An xarray.Dataset over `scene`, a number, with units; what the scenes differ by are coordinates.
+        """An xarray.Dataset with units. Where each key takes each of its values with each of the others', once, its
+        dimensions are the keys; else `scene`, a number, and what the scenes differ by are coordinates.
 
         Raises ImportError without the extra `notebook`.
         """
@@ -97,8 +119,9 @@ class Figures:
         return datasets.figures(self, {name: unit for name, (unit, _) in FIGURES.items()})
 
     def plot(self, what: str = "impactor_velocity") -> Any:
-        """A HoloViews object: one figure over what the scenes differ by, or over their number if that is more than one
-        value, or none that is known. Raises SceneError for another word."""
+        """A HoloViews object: one figure over the key that the scenes differ by; over two keys a map where they form a
+        grid, coloured points where they do not; over the number of the scene where there are more keys, or none.
+        Raises SceneError for another word."""
         from ..notebook import plots  # loads HoloViews, which nothing else here needs
 
         return plots.figures(self, what, {name: FIGURES[name][0] for name in self.columns})

@@ -20,8 +20,9 @@ from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..solve import read_method, solve
 from ..validation import SceneError, allowed
-from .figures import Figures, asked_for, figures_of
+from .figures import FIGURES, Figures, asked_for, figures_of
 from .mass_ratios import TERMS
+from .varied import unit_of
 
 MOST_VALUES = 2_000
 MOST_QUICK = 1_000_000  # of impacts of a mass on a rod
@@ -81,13 +82,14 @@ def _varied(
     """Of one scene with columns of values."""
     arrays = {key: _numbers(key, values) for key, values in columns.items()}
     _check_columns(arrays)
+    units = {key: unit_of(scene, key) for key in arrays}
     if _quick(scene, method) and set(arrays) <= QUICK_KEYS and scene.impactor.kind == "mass":
         bodies = _bodies_of_columns(scene, arrays)
         found = _impacts_on_rods(bodies, lambda row: _with(scene, _row_of(arrays, row)), workers, names)
-        return Figures(found, arrays)
+        return Figures(found, arrays, units)
     rows = zip(*(values.tolist() for values in arrays.values()), strict=True)
     scenes = [_with(scene, dict(zip(arrays, row, strict=True))) for row in rows]
-    return Figures(_solved(scenes, method, workers, names), arrays)
+    return Figures(_solved(scenes, method, workers, names), arrays, units)
 
 
 def _solved(
@@ -221,11 +223,27 @@ def _strike_all(beta: np.ndarray, reflection: np.ndarray, out: np.ndarray) -> No
 
 
 class Sweep(list[dict[str, Any]]):
-    """The rows of a sweep, with the key that was varied; printed as a table."""
+    """The rows of a sweep, with the key that was varied and its unit; printed as a table."""
 
-    def __init__(self, key: str, rows: Iterable[dict[str, Any]] = ()):
+    def __init__(self, key: str, rows: Iterable[dict[str, Any]] = (), unit: str = ""):
         super().__init__(rows)
-        self.key = key
+        self.key, self.unit = key, unit
+
+    def figures(self) -> Figures:
+        """The same as columns. Raises SceneError for bodies in space, whose velocities have three components."""
+        if any(isinstance(row["impactor"]["final_velocity"], list) for row in self):
+            raise SceneError("scenes", "bodies in space", allowed("scenes-on-axis"))
+        plain = [row | row["restitution"] | {"impactor_velocity": row["impactor"]["final_velocity"]} for row in self]
+        found = {name: [row[name] for row in plain] for name in (plain[0] if plain else ()) if name in FIGURES}
+        return Figures(found, {self.key: np.array([row["value"] for row in self], float)}, {self.key: self.unit})
+
+    def dataset(self) -> Any:
+        """As `Figures.dataset`: an xarray.Dataset over the key. Raises what `figures` does."""
+        return self.figures().dataset()
+
+    def plot(self, what: str = "impactor_velocity") -> Any:
+        """As `Figures.plot`: one figure over the key. Raises what `figures` does."""
+        return self.figures().plot(what)
 
     def __str__(self) -> str:
         from ..notebook import tables
@@ -247,10 +265,10 @@ def sweep(
 ) -> Sweep:
     """The scene solved with each of the values for one of its keys, by the method it names.
 
-    One row each: value, number of contacts, impulse [N s], peak_force [N], contact_time [s], impactor velocity [m/s],
-    restitution, energy_error, estimated_error; None where undefined. Keys that take whole numbers get rounded ones,
-    once each. `cancel()` true: what has not begun is left out. Raises SceneError with the first value that cannot be
-    solved.
+    One row each: value, number of contacts, impulse [N s], peak_force [N], contact_time [s], peak_indentation [m],
+    impactor velocity [m/s], restitution, energy_error, estimated_error; None where undefined. Keys that take whole
+    numbers get rounded ones, once each. `cancel()` true: what has not begun is left out. Raises SceneError with the
+    first value that cannot be solved.
     Cost: that of `solve_many` where it is quick; else the solves, shared by `workers` threads (as many as there are
     processors), and at most 2000 of them; kernels run side by side.
     """
@@ -259,11 +277,14 @@ def sweep(
     validation.whole_number("number of values", len(values), 1, MOST_QUICK if quick else MOST_VALUES)
     values = [validation.number(key, value, -math.inf, math.inf) for value in _numbers(key, values).tolist()]
     if quick:
-        return Sweep(key, _rows(values, solve_many(scene, {key: values}, workers=workers)))
+        found = solve_many(scene, {key: values}, workers=workers)
+        return Sweep(key, _rows(values, found), found.units[key])
     if _takes_whole_numbers(scene, key, values[0]):
         values = list(dict.fromkeys(round(value) for value in values))
     scenes = [_with(scene, {key: value}) for value in values]  # all are read before any is solved
-    rows = Sweep(key, [_row(values[0], solve(scenes[0]))])  # alone: if kernels must be compiled, then once
+    rows = Sweep(
+        key, [_row(values[0], solve(scenes[0]))], unit_of(scene, key)
+    )  # alone: if kernels must be compiled, then once
 
     def row(value: float, changed: Scene) -> dict[str, Any] | None:
         return None if cancel is not None and cancel() else _row(value, solve(changed))
@@ -278,7 +299,7 @@ def _rows(values: list[float], found: Figures) -> list[dict[str, Any]]:
     known = {
         name: np.where(np.isnan(column), np.array(None), column).tolist() for name, column in found.columns.items()
     }
-    plain = ("contacts", "impulse", "peak_force", "contact_time")
+    plain = ("contacts", "impulse", "peak_force", "contact_time", "peak_indentation")
     return [
         {
             "value": value,
@@ -320,6 +341,7 @@ def _row(value: float, solution: Solution) -> dict[str, Any]:
         "impulse": solution.impulse,
         "peak_force": solution.peak_force,
         "contact_time": solution.contact_time,
+        "peak_indentation": solution.peak_indentation,
         "impactor": {"final_velocity": list(velocity) if isinstance(velocity, tuple) else velocity},
         "restitution": solution.restitution,
         "energy_error": found["energy_error"],

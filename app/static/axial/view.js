@@ -35,12 +35,29 @@ import { wallOf } from './wall.js';
 /** @type {Record<string, import('../charts/gauge.js').Quantity>} */
 const QUANTITIES = {
   stress: { unit: 'Pa', parts: ['stress'], factor: ({ stressUnit }) => stressUnit },
+  strain: { unit: 'µm/m', parts: ['stress'], factor: (frame) => (1e6 * frame.speed) / waveSpeeds(frame)[0] },
   waves: { unit: 'Pa', parts: ['right', 'left'], factor: ({ stressUnit }) => stressUnit },
   velocity: { unit: 'm/s', parts: ['velocity'], factor: ({ speed }) => speed, mean: ({ rods }) => rods.length === 1 },
   displacement: { unit: 'm', parts: ['displacement'], factor: ({ speed, trip }) => speed * trip },
 };
 
 const FIRST = [0.36, 0.4]; // of T, of it all at most: where it is shown at first, once waves have set out
+
+/**
+ * Of each rod [m/s]. A wave of velocity v has the stress of one `stressUnit`, and the strain v / c.
+ * @param {AxialFrame} frame
+ */
+const waveSpeeds = ({ rods, trip }) => rods.map(({ from, to, transit }) => (to - from) / (transit * trip));
+
+/**
+ * Whether all rods are of one material: by c and by rho c, which is the impedance over the area.
+ * @param {AxialFrame} frame
+ */
+function alike(frame) {
+  const speeds = waveSpeeds(frame);
+  const densities = frame.rods.map(({ impedance, area }) => impedance / area);
+  return [speeds, densities].every((all) => all.every((value) => Math.abs(value / all[0] - 1) < 1e-6));
+}
 
 /** @param {{ name: string }} figures */
 const keyOf = ({ name }) => name.replaceAll('-', '_');
@@ -261,7 +278,11 @@ export class AxialView {
       read: opens.read,
       reach,
     };
-    this.gauge.load(body, () => this.read(this.frame));
+    this.gauge.load(
+      body,
+      () => this.read(this.frame),
+      (what) => what !== 'strain' || alike(this.frame),
+    );
     this.supports.load(this.frame, exact.contacts, () => this.read(this.frame));
   }
   /**

@@ -237,7 +237,7 @@ export class Gauge {
     if (!this.there) return [];
     const where = `at_${Number((MILLIMETRES * this.place).toPrecision(5))}_mm`;
     const { factor, parts, unit } = this.quantity;
-    const written = unit.replace('/', '_per_').replaceAll(' ', '_');
+    const written = unit.replace('/', '_per_').replace('µ', 'u').replaceAll(' ', '_');
     return this.sources().flatMap(({ field, frame, key }) =>
       parts.flatMap((part) => {
         const found = field.over(this.place, [0, frame.duration], part);

@@ -72,6 +72,22 @@ class Bounces extends Panel {
     this.result = make('div', {}, this.path.root, this.each.root, scrolled(this.table, text('bounces.heading')));
     this.root.append(form, this.said, this.notes, this.result);
   }
+  /** Whether nothing bounces here: what is struck moves away, or what strikes is no single body. */
+  get #moves() {
+    const { frame } = this.page;
+    const struck = 'beam' in frame ? frame.beam : 'target' in frame ? frame.target : null;
+    return !struck?.held || ('impactor' in frame && ['rod', 'pulse'].includes(frame.impactor.kind));
+  }
+  get away() {
+    return super.away || this.#moves;
+  }
+  take() {
+    super.take();
+    this.button.hidden = super.away;
+    this.button.disabled = this.away;
+    this.button.title = text(this.away ? 'bounces.refused' : 'bounces.title');
+    this.button.ariaPressed = String(this.open && !this.away);
+  }
   /**
    * To drop it from a height is to strike with the speed that the fall gives.
    * @param {number} height  [m]

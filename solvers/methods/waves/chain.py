@@ -9,7 +9,7 @@ from ...numerics.waves.followed import MILLIONTH, follow
 from ...numerics.waves.laws import law_function, new_work
 from ...numerics.waves.nodes import new_state, rewind
 from ...numerics.waves.parts import BONDED
-from ...numerics.waves.periods import SILENT, periods
+from ...numerics.waves.periods import SILENT, end_of, periods
 from ...numerics.waves.record import (
     DEPTH,
     FORCE,
@@ -139,7 +139,7 @@ class ExactHistory(ChainHistory):
         return [
             ContactPeriod(
                 start=self.trip * float(start[first]),
-                end=self.trip * float(start[last + 1]),
+                end=self.trip * float(end_of(self.record, node, last)),
                 impulse=self.force_unit * self.trip * float(impulse[last, -1] - impulse[first, 0]),
                 peak_force=self.force_unit * highest(self.record, node, FORCE, first, last),
             )

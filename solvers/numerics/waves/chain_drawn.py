@@ -18,7 +18,7 @@ from .law_drawn import PUSH as PUSH_OF
 from .law_drawn import START as TOUCHING
 from .network import PARTED, STOPPED
 from .parts import ABSORBING, BONDED
-from .periods import periods
+from .periods import end_of, periods
 from .record import (
     FORCE,
     IMPULSE,
@@ -236,7 +236,7 @@ def _closed(chain, record, law, of_law, slopes, pressing, closed):
         if found < 0 or count + found > closed.shape[0]:
             return -1, latest
         for k in range(found):
-            start, end = record.start[node, pressing[k, 0]], record.start[node, pressing[k, 1] + 1]
+            start, end = record.start[node, pressing[k, 0]], end_of(record, node, pressing[k, 1])
             latest = max(latest, start) if k == 0 else latest
             closed[count, 0], closed[count, 1], closed[count, 2] = node - chain.contact + 1, start, end
             count += 1
@@ -248,7 +248,7 @@ def _table(chain, record, masses, pressing, count, contacts):
     node = chain.contact
     for k in range(count):
         first, beyond = pressing[k, 0], pressing[k, 1]
-        contacts[k, TOUCHING], contacts[k, PARTING] = record.start[node, first], record.start[node, beyond + 1]
+        contacts[k, TOUCHING], contacts[k, PARTING] = record.start[node, first], end_of(record, node, beyond)
         contacts[k, PUSH_OF] = record.values[node, beyond, IMPULSE, -1] - record.values[node, first, IMPULSE, 0]
         contacts[k, PEAK_OF] = highest(record, node, FORCE, first, beyond)
 

@@ -11,7 +11,7 @@ from .laws import DENT, STORED
 from .laws import FORCE as FORCE_OF
 from .network import PARTED, STOPPED, solve
 from .parts import BONDED, FREE, LAW
-from .periods import SILENT, periods
+from .periods import SILENT, end_of, periods
 from .record import (
     DEPTH,
     FORCE,
@@ -143,7 +143,7 @@ def _compressed(record, common, last):
 def _table(record, pressing, count, contacts):
     for k in range(count):
         first, beyond = pressing[k, 0], pressing[k, 1]
-        contacts[k, START], contacts[k, END] = record.start[0, first], record.start[0, beyond + 1]
+        contacts[k, START], contacts[k, END] = record.start[0, first], end_of(record, 0, beyond)
         contacts[k, PUSH] = record.values[0, beyond, IMPULSE, -1] - record.values[0, first, IMPULSE, 0]
         contacts[k, PEAK] = highest(record, 0, FORCE, first, beyond)
         contacts[k, LEFT] = record.values[0, beyond, SPEED, -1]

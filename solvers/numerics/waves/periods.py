@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...jit.kernels import kernel
-from .collocation import STAGES
+from .collocation import SLOPE_AT_END, STAGES
 from .laws import DENT
 from .record import DEPTH, FORCE, OUT_LEFT, OUT_RIGHT, POINTS
 
@@ -11,6 +11,25 @@ from .record import DEPTH, FORCE, OUT_LEFT, OUT_RIGHT, POINTS
 # rounding would decide whether it does.
 SILENT = 1e3
 ROUNDING = 1e-12  # of the waves at a contact, and of v T: less force, and less of an opening, is none
+
+
+@kernel
+def end_of(record, node, last):
+    """When a contact ends whose last stretch is `last`, as `periods` finds it.
+
+    Where damping stops the surface from pressing, a stretch of `events.SHORT_STEP` at most crosses that corner of the
+    force: there the force of the stretch before, which is smooth, is followed to its root.
+    """
+    begin, end = record.start[node, last], record.start[node, last + 1]
+    presses_on = record.values[node, last, FORCE, STAGES] > 0.0
+    if last == 0 or last + 1 == record.count[node] or presses_on or not record.closed[node, last + 1]:
+        return end  # at their dent, or not at all
+    before, slope = record.values[node, last - 1, FORCE], 0.0
+    for i in range(POINTS):
+        slope += SLOPE_AT_END[i] * before[i] / (begin - record.start[node, last - 1])
+    if not (before[STAGES] > 0.0 and slope < 0.0):
+        return end
+    return min(begin - before[STAGES] / slope, end)
 
 
 @kernel

@@ -68,3 +68,41 @@ def test_without_xarray_netcdf_is_refused_before_solving_and_csv_is_written(tmp_
 def test_a_netcdf_file_that_cannot_be_written_is_reported(tmp_path, capsys):
     assert main(["solve", "fixed-rod", "--series", str(tmp_path / "nowhere" / "impact.nc")]) == 2
     assert "a file that can be written (No such file or directory)" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("scene", ["fixed-rod", "timoshenko-1913-long", "stepped-rod"])
+def test_histories_at_places_are_columns_of_their_fields(scene, tmp_path, capsys):
+    target, solution = tmp_path / "impact.csv", solvers.solve(scene)
+    inside = [0.25 * solution.scene.target.length, 0.5 * solution.scene.target.length]
+    asked = [word for x in inside for word in ("--at", repr(x))]
+    assert main(["solve", scene, "--series", str(target), *asked]) == 0
+    lines = [line for line in target.read_text().splitlines() if not line.startswith("#")]
+    names, rows = lines[0].split(","), np.loadtxt(lines[1:], delimiter=",")
+    column = dict(zip(names, rows.T, strict=True))
+    time = column["time_s"]
+    assert (np.diff(time) >= 0.0).all() and np.diff(time).max() <= 1.001 * solution.duration / 1999
+    for x in inside:
+        for field, unit in (("stress", "Pa"), ("velocity", "m_per_s"), ("displacement", "m")):
+            found = column[f"{field}_at_{x:.9g}_m_{unit}"]
+            # but where the twelve digits written move an instant over a front
+            true = getattr(solution.motion, field)(time, np.array([x]))[:, 0]
+            assert np.mean(np.abs(found - true) > 1e-6 * np.abs(true).max()) < 0.01
+    assert np.trapezoid(column["contact_force_N"], time) == pytest.approx(solution.impulse, rel=1e-3)
+    assert solvers.load(target).target == solution.scene.target
+
+
+@pytest.mark.parametrize(
+    "more, told",
+    [
+        (["--at", "0.1"], "--at: got '0.1'; allowed: nothing, or beside it --series FILE.csv"),
+        (["--at", "0.1", "--series", "x.nc"], "--at: got '0.1'; allowed: nothing, or beside it --series FILE.csv"),
+        (["--at", "middle", "--series", "x.csv"], "allowed: a place as a number, in m"),
+        (["--at", "30", "--series", "x.csv"], "--at: got 30.0; allowed: a number from 0 to 0.3 m"),
+        (["--at", "nan", "--series", "x.csv"], "--at: got nan; allowed: a number from 0 to 0.3 m"),
+    ],
+)
+def test_places_that_are_none_are_refused(more, told, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["solve", "fixed-rod", *more]) == 2
+    assert told in capsys.readouterr().err
+    assert not [*tmp_path.iterdir()]

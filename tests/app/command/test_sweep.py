@@ -23,8 +23,8 @@ def test_rows_have_exactly_the_promised_keys(capsys):
     assert [row["value"] for row in found] == [0.5, 1.25, 2.0]
     for row in found:
         assert set(row) == {
-            "value", "contacts", "impulse", "peak_force", "contact_time", "impactor", "restitution", "energy_error",
-            "estimated_error",
+            "value", "contacts", "impulse", "peak_force", "contact_time", "peak_indentation", "impactor", "restitution",
+            "energy_error", "estimated_error",
         }  # fmt: skip
         assert set(row["restitution"]) == {"newton", "poisson", "newton_at_contact"}
     alone = solvers.solve(solvers.load("fixed-rod").replace({"impactor.mass": 1.25}))

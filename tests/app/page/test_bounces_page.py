@@ -1,5 +1,7 @@
 """Bounces on the page: drawn, followed by sliders, dropped from another height, under other gravity, and linked."""
 
+import re
+
 from playwright.sync_api import expect
 from pytest import approx
 
@@ -29,10 +31,23 @@ def test_a_ball_is_dropped_from_any_height_under_any_gravity(open_page):
     settled(page)
     page.show_scene("free-rod")
     expect(page.tab.locator(".bounces")).to_be_hidden()  # which belonged to the scene that was left
-    page.analysis("Bounces")
-    expect(page.tab.get_by_text("Only a mass that strikes what is held bounces")).to_be_visible()
     page.show_scene("slider-crank")
     expect(page.tab.get_by_role("button", name="Bounces", exact=True)).to_be_hidden()
+
+
+def test_where_nothing_bounces_the_button_says_why(open_page):
+    """A raw key once stood there, after a press; the reason is words, before one."""
+    page = open_page("?scene=bouncing-ball&panel=bounces")
+    button = page.tab.get_by_role("button", name="Bounces", exact=True, include_hidden=True)
+    page.wait(FRESH)
+    expect(button).to_have_js_property("disabled", False)
+    for scene in ("free-rod", "two-equal-rods", "two-balls", "xylophone-bar", "pressure-bar"):
+        page.show_scene(scene)
+        expect(button).to_have_js_property("disabled", True)
+        expect(button).to_have_attribute("title", re.compile("^Only a mass that strikes what is held bounces"))
+        expect(page.tab.locator(".bounces")).to_be_hidden()
+    page.show_scene("hammer-on-cantilever")
+    expect(button).to_have_js_property("disabled", False)
 
 
 def test_bounces_fit_on_a_phone(open_page):

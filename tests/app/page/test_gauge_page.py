@@ -107,6 +107,40 @@ def test_saved_data_has_the_stress_at_the_place(open_page):
     assert np.median(np.abs(told[:, -2] - known)) < 0.01 * np.abs(known).max()
 
 
+@pytest.mark.parametrize("scene", ["fixed-rod", "stepped-rod"])
+def test_strain_is_the_stress_over_the_modulus(scene, open_page):
+    page = open_page(f"?scene={scene}&gauge=0.1&view=laboratory")
+    page.wait("() => strikewave.page.view.gauge.there")
+    page.evaluate("() => strikewave.page.view.gauge.read('strain')")
+    saved = page.evaluate("() => strikewave.page.view.rows(200)")
+    names, told = saved["names"], np.array(saved["values"], float)
+    column = next(k for k, name in enumerate(names) if name.endswith("_at_100_mm_um_per_m"))
+    solution = solvers.solve(scene, duration=told[-1, 0])
+    young = solution.scene.target.rods[0].material.young  # of all of them
+    known = 1e6 * solution.motion.stress(told[:, 0], np.array([0.1]))[:, 0] / young
+    assert np.median(np.abs(told[:, column] - known)) < 1e-3 * np.abs(known).max()
+    assert np.abs(known).max() > 10.0
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_what_can_be_read_fits_on_a_phone(language, open_page):
+    page = open_page(f"?layout=docks&tab=charts&language={language}", size=(390, 844))
+    page.wait("() => strikewave.page.view.gauge.there")
+    page.evaluate(UNFOLD)
+    page.wait("() => strikewave.page.view.gauge.seen")
+    page.fits(390)
+    switch = page.tab.locator(".segments.small:visible").first
+    edges = "(root) => [...root.querySelectorAll('button')].map((b) => b.getBoundingClientRect().right)"
+    assert max(switch.evaluate(edges)) <= 390
+
+
+def test_rods_of_two_materials_have_no_one_strain_to_read(open_page):
+    page = open_page("?scene=split-hopkinson&view=laboratory")
+    page.wait("() => strikewave.page.view.gauge.there")
+    shown = "() => [...strikewave.page.view.gauge.switches[0].root.querySelectorAll('button')].map((b) => b.hidden)"
+    assert page.evaluate(shown) == [False, True, False, False, False]  # a specimen of aluminium between steel
+
+
 ALONG = """() => strikewave.page.view.gauge.along.content.series.map(({ x, y, factor, name }) =>
   ({ name, x: [...x].map((place) => place / 1000), y: [...y].map((value) => value * factor) }))"""
 UNFOLD = """() => { const { stack } = strikewave.page.view;

@@ -5,6 +5,7 @@ import doctest
 import holoviews as hv
 import numpy as np
 import pytest
+from bokeh.models import ColorBar
 
 import solvers
 from solvers.notebook import plots
@@ -95,6 +96,20 @@ def test_the_top_of_the_energies_is_the_total(solution):
 def test_the_title_names_scene_and_method(solution):
     for what in WORDS:
         assert solution.plot(what).label == f"{solution.scene.title}, {solution.method['name']}"
+
+
+@pytest.mark.parametrize("what", WORDS)
+def test_a_long_title_is_whole_on_lines_that_fit(what):
+    named = "A drop hammer of {steel} on the end of a bar, a pad of rubber between them, as measured in 1986"
+    solution = solvers.solve(solvers.load("fixed-rod").replace({"title": named}))
+    drawn = solution.plot(what)
+    for each in drawn if what == "motion" else [drawn]:
+        figure = hv.render(each, backend="bokeh")
+        lines = figure.title.text.split("\n")
+        assert " ".join(lines) == f"{named}, {solution.method['name']}"
+        # letters of DejaVu Sans Bold, the widest of the usual fonts, are 0.7 of their height wide on average
+        assert max(map(len, lines)) * 0.7 * float(figure.title.text_font_size[:-2]) * 4.0 / 3.0 < plots.WIDTH - 100
+        assert all(bar.title_standoff >= 8 for bar in figure.select(type=ColorBar))
 
 
 def test_what_cannot_be_drawn_is_refused():

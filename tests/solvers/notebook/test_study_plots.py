@@ -102,3 +102,87 @@ def test_maps_of_stability():
         np.testing.assert_array_equal(np.isnan(cells), found.maps[name].ending >= 2)
     with pytest.raises(SceneError, match=r"integrator: got 'heun'"):
         found.plot("heun")
+
+
+# --- figures of many scenes -------------------------------------------------------------------------------------------
+
+SPEEDS, STIFFNESSES = [1.0, 2.0, 3.0], [1e8, 1e9, 1e10, 1e11]
+GRID = {
+    "impactor.velocity": np.repeat(SPEEDS, 4)[::-1],
+    "contact.stiffness": np.tile(STIFFNESSES, 3),
+}
+HERTZ = solvers.load("bronze-rod-steel-ball")
+
+
+@pytest.fixture(scope="module")
+def many():
+    return solvers.solve_many(HERTZ, GRID)
+
+
+def test_a_grid_of_two_keys_is_a_dataset_over_both(many):
+    data = many.dataset()
+    assert dict(data.sizes) == {"impactor.velocity": 3, "contact.stiffness": 4}
+    units = {"impactor.velocity": "m/s", "contact.stiffness": "N/m^1.5", "peak_force": "N", "impactor_velocity": "m/s"}
+    assert {name: data[name].units for name in units} == units
+    for row, (speed, stiffness) in enumerate(zip(*GRID.values(), strict=True)):
+        at = data.sel({"impactor.velocity": speed, "contact.stiffness": stiffness})
+        assert float(at.peak_force) == many.peak_force[row]
+        assert int(at.contacts) == many.contacts[row]
+
+
+def test_a_grid_of_two_keys_is_drawn_as_a_map(many):
+    drawn = many.plot("peak_force")
+    assert labels(drawn) == {"impactor.velocity (m/s)", "contact.stiffness (N/m^1.5)"}
+    assert isinstance(drawn, hv.QuadMesh)
+    cells = drawn.dimension_values("peak_force", flat=False)
+    whole = many.dataset().peak_force.transpose("contact.stiffness", "impactor.velocity")
+    np.testing.assert_array_equal(cells, whole.values)
+    edges = drawn.interface.coords(drawn, "contact.stiffness", edges=True)
+    np.testing.assert_allclose(np.sqrt(edges[1:] * edges[:-1]), STIFFNESSES, rtol=1e-12)  # by powers of ten
+
+
+def test_two_keys_that_form_no_grid_are_drawn_as_points():
+    loose = {"impactor.velocity": [1.0, 2.0, 3.0], "contact.stiffness": [1e9, 2e9, 4e9]}
+    found = solvers.solve_many(HERTZ, loose)
+    drawn = found.plot("peak_force")
+    assert labels(drawn) == {"impactor.velocity (m/s)", "contact.stiffness (N/m^1.5)"}
+    np.testing.assert_array_equal(drawn["peak_force"], found.peak_force)
+    data = found.dataset()
+    assert dict(data.sizes) == {"scene": 3}
+    assert data["contact.stiffness"].units == "N/m^1.5"
+
+
+def test_three_keys_are_a_dataset_over_three_and_drawn_by_number():
+    lengths, masses, speeds = np.meshgrid([0.2, 0.3], [1.0, 2.0, 3.0], [1.0, 4.0], indexing="ij")
+    columns = {"target.length": lengths, "impactor.mass": masses, "impactor.velocity": speeds}
+    found = solvers.solve_many("fixed-rod", {key: values.ravel() for key, values in columns.items()})
+    data = found.dataset()
+    np.testing.assert_array_equal(data.impulse.values.ravel(), found.impulse)
+    assert data.impulse.dims == tuple(columns)
+    assert labels(found.plot("impulse")) == {"scene", "impulse (N s)"}
+
+
+@pytest.mark.parametrize("scene, key, values", [
+    (HERTZ, "contact.stiffness", STIFFNESSES),
+    ("fixed-rod", "impactor.mass", [3.0, 1.0, 2.0]),  # the quick way
+])  # fmt: skip
+def test_a_sweep_is_a_dataset_and_a_plot_over_its_key(scene, key, values):
+    found = solvers.sweep(scene, key, values)
+    data = found.dataset()
+    assert data.impulse.dims == (key,)
+    assert data[key].units == {"impactor.mass": "kg", "contact.stiffness": "N/m^1.5"}[key]
+    for row in found:
+        at = data.sel({key: row["value"]})
+        assert float(at.impactor_velocity) == row["impactor"]["final_velocity"]
+        deep = row["peak_indentation"]
+        assert float(at.peak_indentation) == pytest.approx(np.nan if deep is None else deep, nan_ok=True)
+    assert (found[0]["peak_indentation"] is None) == (key == "impactor.mass")
+    assert labels(found.plot("peak_force")) == {f"{key} ({data[key].units})", "peak force (N)"}
+    with pytest.raises(SceneError, match="what: got 'heat'"):
+        found.plot("heat")
+
+
+def test_a_sweep_of_bodies_in_space_is_no_dataset():
+    found = solvers.sweep("spinning-ball", "contact.friction", [0.1, 0.2])
+    with pytest.raises(SceneError, match="bodies in space"):
+        found.dataset()

@@ -1,9 +1,11 @@
 """Built-in scenes by name, and scene files that can and cannot be used."""
 
 import inspect
+import json
 import tomllib
 
 import pytest
+import xarray
 from pytest import approx
 
 import solvers
@@ -98,6 +100,19 @@ TAKE_SCENES = {  # by name: what else each needs
     if inspect.isfunction(getattr(solvers, name))
     and {"scene", "scenes"} & {next(iter(inspect.signature(getattr(solvers, name)).parameters), "")}
 }
+
+
+@pytest.mark.parametrize("form", [{}, {"format": "NETCDF3_64BIT"}])
+@pytest.mark.parametrize("name", ["impact.nc", "impact.toml"])
+def test_a_file_of_results_is_no_scene_and_says_where_its_scene_is(tmp_path, form, name):
+    scene, path = solvers.load("fixed-rod"), tmp_path / name
+    solvers.solve(scene).dataset().to_netcdf(path, engine="scipy", **form)
+    with pytest.raises(SceneError) as refused:
+        solvers.load(path)
+    assert refused.value.reason.code == "allowed.scene-not-results"
+    assert str(refused.value).endswith("Scene.from_table(json.loads(xarray.open_dataset(path).scene))")
+    with xarray.open_dataset(path) as data:
+        assert Scene.from_table(json.loads(data.scene)) == scene
 
 
 def test_every_function_of_scenes_is_among_them():
