@@ -9,7 +9,8 @@ SCALE = """() => {
   const out = new Float64Array(241);
   let most = 0;
   for (let k = 0; k <= 200; k++)
-    for (const value of field.profile((k / 200) * frame.duration, 'stress', out)) most = Math.max(most, Math.abs(value));
+    for (const value of field.profile((k / 200) * frame.duration, 'stress', out))
+      most = Math.max(most, Math.abs(value));
   return [stage.largest * frame.stressUnit, most * frame.stressUnit];
 }"""
 
