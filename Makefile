@@ -28,7 +28,10 @@ test: $(VENV)/.installed-test chromium haproxy node_modules/.installed
 	$(PYTEST) -n $$(($$(nproc) + 1))  # tests of the page wait half of their time
 
 # Other processors, as far as libraries choose by them, other versions and other Pythons; each by the quick tests.
-machines: $(VENV)/.installed-test
+# The kernels for browsers, built again, give what those give that are stored.
+machines: $(VENV)/.installed-test node_modules/.installed
+	$(BIN)/python -m app.wasm.build build/kernels.wasm
+	MODULE=build/kernels.wasm $(PYTEST) tests/app/wasm
 	$(BIN)/python -m tests.machines
 
 # Needs no network once installed, neither to build nor to read.

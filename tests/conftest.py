@@ -31,9 +31,11 @@ LONGEST = (
 
 
 def pytest_collection_modifyitems(items):
-    """Whatever opens a page needs a browser."""
+    """Whatever opens a page needs a browser, and what starts a server takes seconds."""
     order = {name: place for place, name in enumerate(LONGEST)}
     items.sort(key=lambda item: order.get(item.path.stem, len(LONGEST)))
     for item in items:
         if {"browser", "open_page"} & set(item.fixturenames):
             item.add_marker("browser")
+        if {"server", "own_server"} & set(item.fixturenames):
+            item.add_marker("slow")

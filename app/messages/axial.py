@@ -173,12 +173,17 @@ def in_row(scene: Scene) -> bool:
     return isinstance(scene.target, Balls)
 
 
+def _carrier(scene: Scene) -> Waveguide | None:
+    """Whose waves are drawn: what is struck or, where that has none, what strikes."""
+    return next((body for body in (scene.target, scene.impactor) if isinstance(body, Waveguide)), None)
+
+
 def _units(scene: Scene) -> tuple[float, float]:
     """Of force [N] and stress [Pa]: those of the wave that sets out as rigid bodies touch."""
-    target = scene.target
-    if isinstance(target, Waveguide):
-        force = target.impedance * scene.speed
-        return force, force / target.area
+    target, carrier = scene.target, _carrier(scene)
+    if carrier is not None:
+        force = carrier.impedance * scene.speed
+        return force, force / carrier.area
     if turns(target):
         force = target.impedance * scene.speed
         return force, force / target.section.area
@@ -248,17 +253,17 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
 
     A uniform rod that is fixed or free at its far end is its own mirror: one wave says all.
     """
-    bodies, target = scene.rods, scene.target
+    bodies, target, carrier = scene.rods, scene.target, _carrier(scene)
     motion, unit = exact.motion, 1.0
     if isinstance(scene.impactor, FlexiblePendulum) and isinstance(target, Waveguide):
         motion, unit = waves_of_force(exact)
-    if not isinstance(target, Waveguide) or not isinstance(motion, SendsWaves):
+    if carrier is None or not isinstance(motion, SendsWaves):
         return [], {}
     trip, reach = scene.time_unit, exact.duration / scene.time_unit
     fall = scene.weight_acceleration * trip / scene.speed if "weight" in exact.energy else 0.0
     first = len(bodies) - len(target.rods)
     joints = [None, *_joined(scene.impactor)[::-1], *([None] if first else []), *_joined(target)]
-    mirrored = len(bodies) == 1 and bodies[0].support != "anechoic" and not bodies[0].end_mass
+    mirrored = not first and len(bodies) == 1 and bodies[0].support != "anechoic" and not bodies[0].end_mass
     waves = len(bodies) * (1 if mirrored else 2)
     even = np.linspace(0.0, reach, WAVE_NUMBERS // (2 * waves))
     edge = -scene.impactor.length if first else 0.0
@@ -269,9 +274,9 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
                 "from": edge,
                 "to": edge + body.length,
                 "transit": 0.5 * body.round_trip_time / trip,
-                "impedance": body.impedance / target.impedance,
+                "impedance": body.impedance / carrier.impedance,
                 "drift": body.velocity / scene.speed,
-                "area": body.area / target.area,
+                "area": body.area / carrier.area,
                 "joint": joints[number],
                 **({"fall": fall} if fall and number < first else {}),
                 "mirror": (1 if body.fixed else -1) if mirrored else 0,

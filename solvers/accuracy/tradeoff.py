@@ -46,8 +46,8 @@ def tradeoff(
     Times are of a processor, the shortest of several solves: what else runs on the machine counts little.
 
     `progress` is given the table so far after each point, coarse and cheap ones first. Once `cancel` says True, what is
-    known is returned, with `stopped`. A complete table is kept in the user's cache, for this scene, machine and code of
-    the methods, and given from there unless `fresh`.
+    known is returned, with `stopped`. A complete table of no less than the usual `seconds` is kept in the user's cache,
+    for this scene, machine and code of the methods, and given from there unless `fresh`.
     Cost: about `seconds` of one core, less if nothing is left to refine.
     Raises SceneNotSupported if no method can solve the scene, SceneError for a quantity that does not exist.
     """
@@ -66,7 +66,7 @@ def tradeoff(
         finally:
             survey.close()
     found = survey.found()
-    if found.stopped is None:
+    if found.stopped is None and seconds >= MEASUREMENT_SECONDS:  # else a hasty one would stand for all later ones
         store.keep(scene, found.table())
     return _narrowed(found, chosen)
 

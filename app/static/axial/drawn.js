@@ -11,6 +11,12 @@ export const drawnFromOther = ({ chosen, exact, other, otherBar, rods }) =>
   Boolean(other && chosen.method === other.name && other.name !== exact.name && (rods.length || otherBar));
 
 /**
+ * Whether rods strike what has no waves: their last one ends where they touch.
+ * @param {AxialFrame['rods']} rods
+ */
+export const strikesBody = (rods) => rods.at(-1)?.to === 0;
+
+/**
  * Whether they show rods as rigid lines, by a method that tells no places apart.
  * @param {AxialFrame} frame
  */

@@ -55,7 +55,8 @@ function plainEvents(frame) {
   const { contacts, left, stillTouching } = toldOf(frame);
   if (impactor.kind === 'pulse') return pulseEvents(contacts);
   const striker = impactor.kind;
-  const struck = target.kind === 'mass' && target.shape === 'ball' ? 'sphere' : target.kind;
+  const ball = target.kind === 'mass' && target.shape === 'ball' ? 'sphere' : target.kind;
+  const struck = ball === striker && ball === 'mass' ? 'other' : ball;
   const run = target.support === 'anechoic' ? 'endless' : rods.length === 1 ? 'uniform' : true;
   const waves = rods.length > 0 && !drawnRigid(frame) && run;
   const found = contacts.flatMap(([start, end], k) => {

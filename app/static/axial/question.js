@@ -1,6 +1,7 @@
 // The one question that an impact along an axis asks: it counts what happens, and turns as the sliders do.
 import { text } from '../text/catalogue.js';
 import { leavingOf } from './cradle_rows.js';
+import { strikesBody } from './drawn.js';
 import { SLOW } from './events.js';
 import { barsOf } from './traces.js';
 
@@ -22,6 +23,7 @@ export function questionOf(frame) {
   if (target.row) return text('opening.question.row', leavingOf(frame));
   if (frame.turningBar) return text('opening.question.turning');
   if (!rods.length) return text('opening.question.compact', { sudden: exact.sudden });
+  if (strikesBody(rods)) return text('opening.question.compact', { sudden: false });
   if (barsOf(frame)) return text('opening.question.specimen');
   if (impactor.kind === 'pulse' || rods.length > 1) return text('opening.question.rods');
   if (rods[0].mirror <= 0) return text('opening.question.free');

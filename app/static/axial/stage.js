@@ -6,6 +6,7 @@ import { COLORS, css } from '../charts/styles.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
+import { strikesBody } from './drawn.js';
 import { RigidField } from './fields.js';
 import { pushed } from './pushed.js';
 import { axis, barNames, endMass, masses, onward, push, runs, specimen, striker, struckBody, wall } from './bodies.js';
@@ -21,6 +22,7 @@ import { drawnLength, pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js
 /** @import { Field, What } from './fields.js' */
 
 const SLICES = 241;
+const BODY_AT = 0.62; // of the width: where rods strike what has no waves
 const RINGS = 24; // over all rods; half as many on one
 const BODY = 56; // pixels of a striker as heavy as what it strikes
 const PRESSED = 0.16; // of the striker that the deepest indentation may take
@@ -131,7 +133,7 @@ export class Stage {
       const larger = Math.max(own, target.radius);
       return [(most * own) / larger, (most * target.radius) / larger];
     }
-    const heavy = target.held && !this.span ? 1 : impactor.mass / target.mass; // a wall has no mass to compare with
+    const heavy = target.held && (!this.span || this.#meetsBody) ? 1 : impactor.mass / target.mass; // a wall has no mass to compare with
     const usual = this.leads ? this.#thick(height) : BODY;
     const own = Math.min(Math.max(usual * heavy ** (1 / 6), 22), most);
     return [own, Math.min(0.36 * height, 68)];
@@ -143,10 +145,15 @@ export class Stage {
   #places(width) {
     const { impactor, target } = this.frame;
     const rod = impactor.kind === 'rod';
+    if (this.#meetsBody) return [(this.leads ? LEADS.left : 0.1) * width, BODY_AT * width];
     const bends = this.frame.exactBend && width > NARROW; // its bar is laid flat at the left
     const left = (this.leads ? (bends ? LEADS.bends : LEADS.left) : rod ? 0.08 : width < NARROW ? 0.25 : 0.21) * width;
     if (target.held && target.support !== 'anechoic') return [left, width - (target.rotation ? 66 : 30)];
     return [left, (rod ? 0.86 : 0.82) * width];
+  }
+  /** Whether rods strike what has no waves. */
+  get #meetsBody() {
+    return strikesBody(this.frame.rods);
   }
   /** @param {number} height */
   #thick(height) {
@@ -187,7 +194,7 @@ export class Stage {
     const own = rest + field.mass(t) * this.scale;
     const meet = meeting ? (face + own) / 2 : undefined;
     if (frame.turningBar) turningBar(c, frame, t, { rest, middle, scale: this.scale, height });
-    else if (!rods.length && !frame.target.row)
+    else if ((!rods.length || this.#meetsBody) && !frame.target.row)
       struckBody(c, frame, { face, middle, size: impactor.kind === 'pendulum' ? 2 * WIDTH : struck, meet }, width);
     const contact = this.touching(t);
     if (frame.target.row) {

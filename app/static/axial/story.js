@@ -6,7 +6,7 @@ import { times, unitOfTime } from '../clock/times.js';
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
 import { called, shortly } from '../text/words.js';
-import { toldOf } from './drawn.js';
+import { strikesBody, toldOf } from './drawn.js';
 import { eventsOf } from './events.js';
 import { questionOf } from './question.js';
 
@@ -61,7 +61,8 @@ export function unitsOf({ exact, exactBar, impactor, rods, target, trip }) {
   const bent = target.rotation ? 'turning' : rigid;
   const alone = exactBar ? 'pendulum' : bent;
   const single = target.support === 'anechoic' ? 'endless' : 'one';
-  const what = !rods.length ? alone : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : single;
+  const chain = target.kind === 'rods' || strikesBody(rods);
+  const what = !rods.length ? alone : chain && rods.length > 1 ? 'chain' : rods.length > 1 ? 'struck' : single;
   const units = text('axial.units', { trip: `${pretty(trip * factor)} ${unit}`, what });
   const { mass: felt, ownMass: own } = impactor;
   const { rotation } = target;

@@ -11,7 +11,9 @@ from app.choices.scene_of import own_choices
 from app.lessons.shipped import shipped_lesson
 from app.messages.solutions import both
 from app.views.convergence import convergence_data
-from solvers import RigidImpulse, stored_tradeoff
+from solvers import RigidImpulse
+from solvers.accuracy.store import shipped
+from solvers.accuracy.tradeoff_table import TradeOff
 
 from .numbers import assert_numbers, solution_of
 
@@ -96,9 +98,9 @@ def test_areas_are_alike_where_forces_are_not():
 
 def test_exact_waves_are_fastest_here():
     """In the table that comes with the program, of the scene of this step."""
-    stored = stored_tradeoff(SCENES[STEPS[3].scene])
+    stored = shipped(SCENES[STEPS[3].scene])
     assert stored is not None
-    points = {(each["method"]["name"], each["label"]): each for each in stored.table()["points"]}
+    points = {(each["method"]["name"], each["label"]): each for each in TradeOff.from_table(stored).table()["points"]}
     times = {key: each["wall_time"] for key, each in points.items()}
     exact = next(time for (name, label), time in times.items() if label == "waves")
     few, many = (times["modal", f"modal modes={count}"] for count in (FEW, MANY))

@@ -9,7 +9,7 @@ from solvers import load
 from solvers.records.files import load_record
 
 from . import hands
-from .hands import arrow, type_into
+from .hands import slide, type_into
 
 FIRST_END, SECOND_START, SECOND_END = (
     1.533833820809153,
@@ -155,7 +155,7 @@ def test_play_moves_the_picture_and_sends_nothing(open_page):
 
 def test_scrubbing_moves_one_cursor_in_all_views(open_page):
     page = open_page()
-    arrow(page.tab.get_by_role("slider", name="Time"), 5000)
+    slide(page.tab.get_by_role("slider", name="Time"), 5000)
     t = page.evaluate("() => strikewave.page.player.t")
     assert t == pytest.approx(0.5 * page.header("duration"))
     # the cursor is the only thing drawn in its colour on the upper canvas of each chart

@@ -40,6 +40,7 @@ def by_node(given: Answers, module: Path = MODULE, share: float | None = None) -
 
     share: of the times that each looks at the clock; then how it is left so, as `answers.mjs` has it.
     """
+    module = Path(os.environ.get("MODULE", module))  # one built anew: `make machines`
     command = ["node", HERE / "node.mjs", module, *([] if share is None else [str(share)])]
     done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, check=True)
     return json.loads(done.stdout)

@@ -2,9 +2,7 @@
 
 import json
 import subprocess
-import sys
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +20,6 @@ from solvers.numerics.modal_steps import steps_drawn
 from solvers.numerics.waves.drawn import LEAST_JUMP
 from solvers.scenes.library import scene_of
 
-from ...patience import SECONDS
 from . import native
 from .answered import FIREFOX, Answers, by_firefox, by_node
 
@@ -233,18 +230,6 @@ def test_firefox_finds_what_this_machine_finds(tmp_path):
 
     through, marched = [(random_scene(), random_time()) for _ in range(100)], [random_march() for _ in range(50)]
     _equal(answer, through, marched, [random_beam() for _ in range(20)])
-
-
-@pytest.mark.slow
-@pytest.mark.browser  # takes two minutes, and needs Node
-def test_the_module_can_be_built_again(tmp_path):
-    built = tmp_path / "kernels.wasm"
-    command = [sys.executable, "-m", "app.wasm.build", built]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
-    assert done.returncode == 0, done.stderr
-    few = range(DRAWN_TOO)
-    through = [(random_scene(), random_time()) for _ in few]
-    _equal(partial(by_node, module=built), through, *([one() for _ in few] for one in (random_march, random_beam)))
 
 
 def _equal(

@@ -203,6 +203,13 @@ def test_a_complete_table_is_kept_for_this_scene_only(own_cache):
     assert solvers.stored_tradeoff(scene) is None
 
 
+def test_a_hasty_table_does_not_stand_for_later_ones(own_cache):
+    brick = solvers.load("brick-off-centre")
+    scene = brick.replace({"impactor.mass": 1.5 * brick.impactor.mass})
+    tradeoff(scene, seconds=0.1)
+    assert solvers.stored_tradeoff(scene) is None
+
+
 def test_a_cache_that_cannot_be_written_costs_nothing_but_time(monkeypatch, tmp_path):
     file = tmp_path / "in-the-way"
     file.write_text("")
