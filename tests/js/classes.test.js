@@ -3,7 +3,7 @@ import process from 'node:process';
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { numbersOf, placesOf, triesOf } from '../../app/static/classes/counts.js';
-import { csvOf } from '../../app/static/classes/csv.js';
+import { csvOf, whoOf } from '../../app/static/classes/csv.js';
 import { MOST, readLines } from '../../app/static/classes/lines.js';
 import { codeOf } from '../../app/static/lesson/code.js';
 
@@ -165,6 +165,8 @@ test('a table is quoted, and no name is a formula in it', () => {
   const cells = (line) => Object.fromEntries(lines[line].split(',').map((cell, k) => [names0[k], cell]));
   const wanted = [
     'name',
+    'email',
+    'id',
     'code',
     'points',
     'points.first',
@@ -176,7 +178,7 @@ test('a table is quoted, and no name is a formula in it', () => {
     'back.unit',
   ];
   assert.deepEqual(
-    names0.slice(0, 10),
+    names0.slice(0, 12),
     wanted.map((name) => `"${name}"`),
   );
   for (const [line, name, q] of [
@@ -190,7 +192,7 @@ test('a table is quoted, and no name is a formula in it', () => {
     );
   }
   assert.deepEqual(
-    lines.slice(3, 8).map((line) => line.split(`,"${CODE}`)[0]),
+    lines.slice(3, 8).map((line) => line.split(`,"","","${CODE}`)[0]),
     [`"'-1"`, `"'@x"`, '"a ""b"", c"', `"'\t=1"`, '"Ann"'],
   );
 });
@@ -221,5 +223,24 @@ test('what is made to look like codes takes no longer than codes do', () => {
     const { user } = process.cpuUsage(before); // µs
     assert.ok(rows.length <= 1); // one of them may happen to be one
     assert.ok(user < 2e6, `${user} µs for ${text.slice(0, 20)}`);
+  }
+});
+
+test('a course finds a student by address or number', () => {
+  const whole = {
+    'Doe, Jane, jane.doe@uni.example': ['Doe, Jane', 'jane.doe@uni.example', ''],
+    'jane@uni.example': ['', 'jane@uni.example', ''],
+    'Jane Doe <jane@uni.example> 1234567': ['Jane Doe', 'jane@uni.example', '1234567'],
+    'Müller; 20231234; mueller@uni.example': ['Müller', 'mueller@uni.example', '20231234'],
+    'UX20231 Ann': ['Ann', '', 'UX20231'],
+    'Ann 12': ['Ann 12', '', ''],
+    'Group 3, Ann @home': ['Group 3, Ann @home', '', ''],
+    '+49 ': ['+49 ', '', ''],
+  };
+  for (const [written, wanted] of Object.entries(whole)) assert.deepEqual(whoOf(written), wanted, written);
+  for (const who of Object.keys(whole)) {
+    const { rows } = readLines(RECORD, `${who} ${CODE}`);
+    const [, email, id] = whoOf(rows[0].name);
+    assert.deepEqual([email, id], whole[who].slice(1), who);
   }
 });

@@ -56,12 +56,12 @@ test('values of bodies stay where they would move a choice that does not', () =>
 test('what cannot be is refused with its key, what was given, and what is allowed', () => {
   const said = (search, acting = Object.keys(SPEC)) => held(search).refusals(acting);
   assert.deepEqual(said('?hide=methods'), [
-    'hide: got methods; allowed in this scene: scene, method, mass_ratio, modes, bodies.',
+    'hide: got methods; allowed in this scene: scene, method, mass_ratio, modes, bodies, closer.',
   ]);
   assert.deepEqual(said('?fix=bodies'), ['fix: got bodies; allowed in this scene: scene, method, mass_ratio, modes.']);
   assert.deepEqual(said('?bound=method:1:2'), ['bound: got method; allowed in this scene: mass_ratio, modes.']);
   assert.deepEqual(said('?hide=methods', ['scene', 'mass_ratio', 'bodies']), [
-    'hide: got methods; allowed in this scene: scene, mass_ratio, bodies.',
+    'hide: got methods; allowed in this scene: scene, mass_ratio, bodies, closer.',
   ]);
   const number = 'allowed: mass_ratio:LOW:HIGH, with two numbers from 0.001 to 1000, the lower one first.';
   for (const bad of [

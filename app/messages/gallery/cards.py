@@ -13,6 +13,7 @@ CARDS = {
     "space": ("brick-on-floor", "spinning-ball", "percussion-rod", "painleve-rod"),
     "measured": ("split-hopkinson", "pressure-bar", "drop-test", "bronze-rod-steel-ball"),
 }
+TAUGHT = ("stiff-contact", "figure-9.4")  # which lessons begin with, but no card shows
 SCENES_SHOWN = tuple(scene for scenes in CARDS.values() for scene in scenes)
 STORED = Path(__file__).parent / "pictures.json"  # which `python -m bench.pictures` makes of today's solutions
 

@@ -165,11 +165,12 @@ export class Connection {
   }
   /**
    * @param {string} sentence
-   * @param {string} [quiet]  what is said where that is nothing, to those who hear the page
+   * @param {string} [quiet]  what is said where that is nothing, in small letters
    */
   #say(sentence, quiet = '') {
     const line = sentence ? '' : quiet;
     if (this.quiet.textContent !== line) this.quiet.textContent = line;
+    this.root.parentElement?.classList.toggle('adrift', Boolean(line));
     if (this.words.textContent === sentence) return; // which is read out whenever it is set
     this.words.textContent = sentence;
     this.root.hidden = !sentence;

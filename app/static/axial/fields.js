@@ -48,6 +48,13 @@ export class Field {
     return 1;
   }
   /**
+   * The largest that is known anywhere, if some of it lies beyond the end of the colours.
+   * @param {What} _what
+   */
+  peak(_what) {
+    return 0;
+  }
+  /**
    * Values at places spread evenly from `from` to `to`.
    * @param {number} t
    * @param {What} what
@@ -167,6 +174,8 @@ const narrow = (wave) => Boolean((wave instanceof Mirrored ? wave.wave : wave).b
 
 /** The field of any number of rods, from the waves that their ends send. */
 export class WaveField extends Field {
+  /** @type {Partial<Record<What, number>>} */ peaks = {};
+
   /** @param {AxialFrame} frame */
   constructor(frame) {
     super(frame, 'exact');
@@ -202,10 +211,15 @@ export class WaveField extends Field {
     if (seen.length && this.rods.length > 1) {
       // a thin specimen must not take all the colour: few values are beyond the scale
       seen.sort((a, b) => a - b);
+      this.peaks[what] = seen[seen.length - 1];
       return Math.max(seen[Math.floor(0.985 * (seen.length - 1))], 0.15 * seen[seen.length - 1], 1e-12);
     }
     if (what === 'stress') for (const v of this.frame.exactForce) most = Math.max(most, v);
     return most;
+  }
+  /** @param {What} what */
+  peak(what) {
+    return this.peaks[what] ?? 0;
   }
   /**
    * @param {number} t

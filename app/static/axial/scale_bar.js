@@ -7,14 +7,18 @@ import { localised } from '../text/format.js';
 
 /** @import { Stage } from './stage.js' */
 
+const [TALL, POINT] = [7, 8]; // pixels
+const BEYOND = 1.02; // ends: a little more has the same colour
+
 /**
- * What colours mean; returns where its words below and above begin.
+ * What colours mean, pointed at both ends where some of it lies beyond them.
+ * Returns where its words below and above begin.
  * @param {CanvasRenderingContext2D} c
  * @param {Stage} stage
  * @param {number} width
  * @param {number} height
  */
-export function scaleBar(c, { frame, largest: end, what }, width, height) {
+export function scaleBar(c, { field, frame, largest: end, what }, width, height) {
   const bar = Math.min(150 * zoom, 0.42 * width); // as long as the words of its ends
   const x = width - bar - (frame.target.held ? 44 : 16); // beside a wall
   const y = height - 8 - 16 * zoom;
@@ -22,11 +26,13 @@ export function scaleBar(c, { frame, largest: end, what }, width, height) {
   const largest = end * unit;
   const show = (/** @type {number} */ v) =>
     localised(Math.abs(v) >= 10 ? v.toFixed(0) : v.toPrecision(2)).replace('-', '−');
+  const point = field.peak(what) > BEYOND * end ? POINT : 0;
   for (let k = 0; k < bar; k++) {
     c.fillStyle = css((k / bar) * 2 - 1, 1);
-    c.fillRect(x + k, y, 1.2, 7);
+    const tall = TALL * Math.min((Math.min(k, bar - k - 1) + 1) / (point || 1), 1);
+    c.fillRect(x + k, y + (TALL - tall) / 2, 1.2, tall);
   }
-  hatch(c, [[x, x + 0.47 * bar]], y, 7);
+  hatch(c, [[x + point, x + 0.47 * bar]], y, TALL);
   c.fillStyle = COLORS.faint;
   c.font = letters(13);
   const [least, most] = [text('axial.stage.least', { what }), text('axial.stage.most', { what })];
@@ -35,6 +41,6 @@ export function scaleBar(c, { frame, largest: end, what }, width, height) {
   c.textAlign = 'right';
   c.fillText(most, x + bar, y - 4);
   const words = `± ${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}`;
-  c.fillText(words, x + bar, y + 7 + 13 * zoom);
+  c.fillText(words, x + bar, y + TALL + 13 * zoom);
   return [x + bar - c.measureText(words).width, x];
 }

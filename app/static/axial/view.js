@@ -134,7 +134,8 @@ export class AxialView {
     this.exactField = exactFieldOf(frame);
     this.#otherField = null;
     const { until } = timesOf(frame);
-    this.axis.open(frame.chosen.scene, this.page.compare.span(frame), until && until / frame.trip);
+    const taught = this.page.opening.teaching.lesson?.until(frame);
+    this.axis.open(frame.chosen.scene, this.page.compare.span(frame), taught ?? (until && until / frame.trip));
     this.whole.hidden = !this.axis.zoomed;
     this.spaceTime.chart.root.hidden = !frame.rods.length;
     this.force.chart.root.hidden = frame.exact.sudden && (frame.other?.sudden ?? true); // impulses without duration

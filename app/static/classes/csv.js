@@ -8,6 +8,9 @@ import { questionsOf } from '../lesson/code.js';
 
 const FORMULA = /^[=+\-@\t\r]/; // what a spreadsheet would work out
 const POINTS = ['points', 'points.first', 'points.most']; // in the end, at the first try, and how many there can be
+const EMAIL = /[^\s,;|<>"'()]+@[^\s,;|<>"'()]+\.[^\s,;|<>"'()]+/;
+const ID = /(?<![\p{L}\d+./-])\p{Lu}{0,3}\d{5,}(?![\p{L}\d./-])/u; // of a student, as a course has it
+const EDGES = /^[\s,;|<>()]+|[\s,;|<>()]+$/g; // what is left of separators
 const BOM = '\ufeff'; // by which spreadsheets know the coding
 /** @typedef {string | number | boolean | null | undefined} Cell */
 
@@ -89,6 +92,19 @@ function pointsOf(parts, given) {
 }
 
 /**
+ * Who has answered: what stands before a code, and in it the address and number by which a course finds a student.
+ * @param {string} written
+ * @returns {[name: string, email: string, id: string]}
+ */
+export function whoOf(written) {
+  const [email = ''] = EMAIL.exec(written) ?? [];
+  const others = written.replace(email, '');
+  const [id = ''] = ID.exec(others) ?? [];
+  const name = others.replace(id, '').replace(/(\s*[,;|<>()]\s*){2,}/g, ', ');
+  return email || id ? [name.replace(EDGES, ''), email, id] : [written, '', ''];
+}
+
+/**
  * Options and items are counted from 1, as the lesson file has them; what was left out is empty.
  * @param {Asks} record  the lesson
  * @param {Row[]} rows
@@ -98,9 +114,9 @@ export function csvOf(record, rows) {
   const columns = parts.flatMap((part) =>
     COLUMNS[part.kind](part).map(([ending, cell]) => ({ name: part.name, ending, cell })),
   );
-  const head = ['name', 'code', ...POINTS, ...columns.map(({ ending, name }) => name + ending)];
+  const head = ['name', 'email', 'id', 'code', ...POINTS, ...columns.map(({ ending, name }) => name + ending)];
   const lines = rows.map(({ code, name, given }) => [
-    name,
+    ...whoOf(name),
     code,
     ...pointsOf(parts, given),
     ...columns.map((column) => {

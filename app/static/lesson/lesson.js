@@ -12,7 +12,7 @@ import { Coming } from './coming.js';
 import { endingOf } from './ending.js';
 import { eventsOf, fallenOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
-import { dress } from './picture.js';
+import { dress, rowsUntil } from './picture.js';
 import { elementsOf } from './nodes.js';
 import { PROJECTOR } from './projector.js';
 import { asks, questionOf } from './questions.js';
@@ -23,7 +23,7 @@ import { summaryOf } from './summary.js';
 /** @import { Frame } from '../messages.js' */
 /** @import { Page } from '../page.js' */
 /** @import { Events } from './events.js' */
-/** @import { Part, Question } from './questions.js' */
+/** @import { Part, Progress, Question } from './questions.js' */
 
 /**
  * @typedef {object} Step  as app/lessons/record.py writes it
@@ -45,10 +45,6 @@ import { summaryOf } from './summary.js';
  * @property {string} next_title
  * @property {Step[]} steps
  */
-/**
- * `of`: questions as they were; `salt`: of their code
- * @typedef {{ of: string, far: number, answers: Record<string, any>, salt?: number }} Progress
- */
 
 const AT_FIRST = ['bodies'];
 const PLAIN = ['bodies', 'forces', 'opening', 'rows']; // what of it is no chart
@@ -64,6 +60,7 @@ export class Lesson {
   unit = 1; // of the page's clock, that a T is
   rows = false; // whether they are seen below the picture
   flags = FLAGS; // of the address
+  until = (/** @type {Frame} */ frame) => (this.at < 0 ? null : rowsUntil(this, frame, this.#shown));
 
   /**
    * @param {Page} page
@@ -204,6 +201,7 @@ export class Lesson {
     this.coming = true;
     this.first.lay(this.at, false);
     page.player.bound(0);
+    page.compare.scales.least = progress.ends ??= {};
     page.controls.bound({}); // else the way to this step would be held by those of the one before
     this.speak('');
     this.#render();
@@ -226,6 +224,8 @@ export class Lesson {
   #arrive(frame) {
     this.coming = false;
     if (this.page.root.dataset.kind !== this.page.kind) this.page.take(this.page.changes.bytes);
+    this.page.compare.scales.keep(this.progress.ends);
+    this.keep();
     this.awaited.over(this.bar.root);
     this.first.lay(this.at, (this.sliders ?? []).length > 0);
     this.page.controls.bound(this.question?.bounds ?? {});

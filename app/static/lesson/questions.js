@@ -13,6 +13,15 @@ import { Sketch } from './sketch.js';
 
 /** @typedef {Record<string, any>} Part  of a step, as app/lessons/record.py writes it */
 /**
+ * What the browser keeps of a lesson.
+ * @typedef {object} Progress
+ * @property {string} of  questions as they were
+ * @property {number} far  the latest step
+ * @property {Record<string, any>} answers
+ * @property {number} [salt]  of their code
+ * @property {Record<string, number>} [ends]  of colours, in all steps so far
+ */
+/**
  * @typedef {object} Question
  * @property {HTMLElement} root
  * @property {boolean} done  whether it is answered

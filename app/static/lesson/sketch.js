@@ -9,6 +9,7 @@ import { curveOf, timeOf, valueOf } from './events.js';
 import { BIN, judged } from './judge.js';
 import { Drawn, pointsOf } from './line.js';
 import { elementsOf, wordsOf } from './nodes.js';
+import { sketched, soOf } from './sketched.js';
 
 /** @import { Frame } from '../messages.js' */
 /** @import { Judgement } from './judge.js' */
@@ -246,6 +247,7 @@ export class Sketch {
     this.drawn.pen = this.near = null;
     Object.assign(answer, { line: this.drawn.kept, done: true, late: lesson.looked });
     this.load(lesson.page.frame);
+    answer.so = soOf(this.drawn.line.length, valueOf(this.curve));
     answer.outcomes = this.judgements.map(({ outcome, right, yours }) => ({ outcome, right, yours }));
     this.unrolling = !lesson.still;
     this.seen = this.unrolling ? 0 : Infinity;
@@ -338,6 +340,8 @@ export class Sketch {
       const say = this.part.judges[k].says[each.outcome] ?? [];
       return make('li', {}, signOf(each.outcome === 'yes'), make('span', {}, ...elementsOf(say, this.#gaps(each))));
     });
-    return [make('ul', { className: 'lesson-judged' }, ...lines)];
+    const { line, so } = this.answer;
+    const picture = line ? [sketched(line, so, this.part.axis, this.name)] : [];
+    return [make('div', {}, ...picture, make('ul', { className: 'lesson-judged' }, ...lines))];
   }
 }

@@ -8,6 +8,7 @@ import { MovingMechanism } from './moving.js';
 /** @import { MechanismFrame } from '../messages.js' */
 
 const BESIDE = 0.54; // of the width that the picture has beside diagrams
+const [COLOURS, CLEAR] = [48, 4]; // pixels: the height of the scale of colours with its words, and room beside it
 const LEAST_FOR_REACTIONS = 440; // pixels of width, below which what the arrows are would run into the mechanism
 
 /** @extends {BeamStage<MechanismFrame>} */
@@ -85,10 +86,15 @@ export class MechanismStage extends BeamStage {
   get right() {
     return false; // the impactor flies where it will
   }
-  /** @param {number} x */
+  /**
+   * At the bottom where what strikes comes past the top at any time, so that they stay where they are.
+   * @param {number} x
+   */
   coloursAt(x) {
-    const { held, height } = this.mechanism;
-    const covered = this.narrow && held && held.x + held.width / 2 > x - 4 && held.y - held.height / 2 < 34;
-    return covered ? height - 14 : super.coloursAt(x);
+    const { held, height, past, wide } = this.mechanism;
+    const places = held ? [...past, [held.x, held.y]] : past;
+    const covered = (/** @type {number} */ top) =>
+      places.some(([a, b]) => a + 0.5 * wide > x - CLEAR && Math.abs(b - top - 0.5 * COLOURS) < 0.5 * (COLOURS + wide));
+    return covered(0) && !covered(height - COLOURS) ? height - (this.narrow ? 14 : 24) : super.coloursAt(x);
   }
 }

@@ -6,6 +6,7 @@ import { make } from '../browser/dom.js';
 import { TITLES } from '../frame/layout.js';
 import { lessonIn, Teaching } from '../frame/teaching.js';
 import { isChanged } from '../form/settings.js';
+import { CLOSER } from '../wire/held.js';
 import { keep, kept } from '../browser/store.js';
 import { family, text } from '../text/catalogue.js';
 import { Happens } from './happens.js';
@@ -284,6 +285,7 @@ export class Opening {
    */
   #offer(frame) {
     const source = isChanged(frame) ? '' : frame.source;
+    this.closer.hidden = this.page.changes.held.hidden.has(CLOSER);
     if (this.closer.dataset.said === source) return;
     this.closer.dataset.said = source;
     const { hidden } = this.page.changes.held;

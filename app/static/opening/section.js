@@ -110,8 +110,9 @@ export class Section {
   draw(shown) {
     if (this.lone && shown) {
       const beside = [...this.besides, ...this.first];
-      shown = withBesides(shown, beside, this.called, this.page.frame);
-      if (!beside.length) shown = { ...shown, by: '' }; // a lesson about one solution does not weigh it
+      const called = this.called || (this.first.length && !this.besides.length ? text('lesson.now') : '');
+      shown = withBesides(shown, beside, called, this.page.frame);
+      if (!this.besides.length) shown = { ...shown, by: '' }; // a lesson about one solution does not weigh it
     }
     this.shown = shown;
     this.root.hidden = !shown;

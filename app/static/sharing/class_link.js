@@ -7,7 +7,7 @@ import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
 import { typed } from '../text/units.js';
 import { LABELS } from '../text/words.js';
-import { endsOf, Held } from '../wire/held.js';
+import { CLOSER, endsOf, Held } from '../wire/held.js';
 
 /** @import { Page } from '../page.js' */
 
@@ -67,21 +67,26 @@ export class ClassLink {
     this.#follow();
     this.root.showModal();
   }
-  /** Of the controls that are shown now, or would be if they were not hidden. */
+  /** Of the controls that are shown now, or would be if they were not hidden, and of the ways to see more. */
   get names() {
-    return Object.keys(this.spec).filter((name) => this.page.frame.acting.includes(name));
+    return [...Object.keys(this.spec).filter((name) => this.page.frame.acting.includes(name)), CLOSER];
   }
   /** @param {string} name */
   #titleOf(name) {
+    if (name === CLOSER) return text('class.link.closer');
     return this.page.controls.fields[name]?.root.querySelector('label')?.textContent || LABELS[name].title;
+  }
+  /** @param {string} name */
+  #settings(name) {
+    return name === CLOSER ? [] : [name];
   }
   /** @param {string} name */
   #row(name) {
     const { held, page } = this;
     const title = this.#titleOf(name);
-    const now = name === 'scene' ? page.controls.scene.title.textContent : shortOf([name], page.frame);
-    const ends = this.spec[name].low === undefined ? null : this.#ends(name, title);
-    const ways = name === 'bodies' ? ['free', 'hidden'] : ['free', 'fixed', 'hidden'];
+    const now = name === 'scene' ? page.controls.scene.title.textContent : shortOf(this.#settings(name), page.frame);
+    const ends = this.spec[name]?.low === undefined ? null : this.#ends(name, title);
+    const ways = ['bodies', CLOSER].includes(name) ? ['free', 'hidden'] : ['free', 'fixed', 'hidden'];
     const pick = (/** @type {string} */ way) => {
       held.fixed.delete(name);
       held.hidden.delete(name);

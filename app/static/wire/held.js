@@ -5,6 +5,7 @@ import { text } from '../text/catalogue.js';
 /** @import { Chosen } from '../messages.js' */
 /** @import { Bounds, Spec } from './model.js' */
 
+export const CLOSER = 'closer'; // the ways to look closer below the picture, and its source, which are no choice
 const LESSONS = ['lesson', 'class']; // which say themselves what may be moved
 const NUMBER = /^-?\d{1,20}(\.\d{1,20})?(e[+-]?\d{1,3})?$/i;
 const OF_BODIES = ['mass_ratio', 'slenderness']; // which move with the values of bodies
@@ -40,7 +41,8 @@ export class Held {
     const query = new URLSearchParams(search);
     if (LESSONS.some((key) => query.has(key))) return;
     const all = (/** @type {string} */ key) => (query.get(key) ?? '').split(',').filter(Boolean);
-    for (const name of all('hide')) this.#named('hide', name, Object.keys(spec), () => this.hidden.add(name));
+    const hideable = [...Object.keys(spec), CLOSER];
+    for (const name of all('hide')) this.#named('hide', name, hideable, () => this.hidden.add(name));
     const fixable = Object.keys(spec).filter((name) => name !== 'bodies');
     for (const name of all('fix')) this.#named('fix', name, fixable, () => this.fixed.add(name));
     const both = [...this.hidden].filter((name) => this.fixed.delete(name)); // as it is not seen
@@ -67,7 +69,7 @@ export class Held {
    */
   refusals(acting) {
     const said = this.unknown.map(([key, value, allowed]) =>
-      text('held.name', { key, value, options: allowed.filter((name) => acting.includes(name)) }),
+      text('held.name', { key, value, options: allowed.filter((name) => name === CLOSER || acting.includes(name)) }),
     );
     return [...said, ...this.refused];
   }

@@ -6,7 +6,8 @@ import json
 import numpy as np
 import pytest
 
-from app.messages.gallery.cards import CARDS, SCENES_SHOWN, stored_pictures
+from app.lessons.shipped import lesson_names, shipped_lesson
+from app.messages.gallery.cards import CARDS, SCENES_SHOWN, TAUGHT, stored_pictures
 from app.messages.gallery.drawn import FRAMES, HEIGHT, SHADES, WIDTH
 from app.messages.gallery.pictures import picture_of
 from app.text.catalogues import page
@@ -22,7 +23,7 @@ def unpacked(part: dict, name: str) -> np.ndarray:
     return np.cumsum(np.array(part[name]).reshape(-1, points), axis=0)
 
 
-@pytest.mark.parametrize("name", SCENES_SHOWN)
+@pytest.mark.parametrize("name", (*SCENES_SHOWN, *TAUGHT))
 def test_a_stored_picture_is_of_todays_solution(name):
     """Else: python -m bench.pictures"""
     made = picture_of(name)
@@ -33,7 +34,7 @@ def test_a_stored_picture_is_of_todays_solution(name):
             assert np.abs(unpacked(now, key) - unpacked(then, key)).max() <= SLACK, key
 
 
-@pytest.mark.parametrize("name", SCENES_SHOWN)
+@pytest.mark.parametrize("name", (*SCENES_SHOWN, *TAUGHT))
 def test_a_picture_is_small_and_moves_within_its_frame(name):
     parts = STORED[name]
     assert len(gzip.compress(json.dumps(parts, separators=(",", ":")).encode())) < 4_000
@@ -48,12 +49,16 @@ def test_a_picture_is_small_and_moves_within_its_frame(name):
 
 
 def test_pictures_are_of_the_cards_and_each_asks_a_question():
-    assert list(STORED) == list(SCENES_SHOWN)
+    assert list(STORED) == [*SCENES_SHOWN, *TAUGHT]
     texts = page(SOURCE).texts
     assert {f"opening.of.{name}" for name in SCENES_SHOWN} == {code for code in texts if code.startswith("opening.of.")}
     assert {f"gallery.group.{group}" for group in CARDS} == {
         code for code in texts if code.startswith("gallery.group.")
     }
+
+
+def test_each_lesson_has_a_picture():
+    assert {shipped_lesson(name).scene for name in lesson_names()} <= STORED.keys()
 
 
 def test_a_front_runs_along_the_fixed_rod():

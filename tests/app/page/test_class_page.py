@@ -34,7 +34,7 @@ def test_a_class_of_twenty_is_read_and_saved(open_page):
     page = open_page(f"?class={LESSON}", accept_downloads=True)
     reading(page)
     codes = page.evaluate(CLASS, LESSON)
-    names = ["=1+1 ", "Müller, Ida\t", "+49 ", "Jane Doe, ", *[""] * 16]
+    names = ["=1+1 ", "Müller, Ida\t", "+49 ", "Jane Doe, jane@uni.example, 1234567, ", *[""] * 16]
     put_in(page, [name + code for name, code in zip(names, codes, strict=True)])
     expect(page.tab.get_by_role("status").filter(has_text="read")).to_have_text("20 codes are read.")
     found = tables(page)
@@ -61,9 +61,11 @@ def test_a_class_of_twenty_is_read_and_saved(open_page):
         "300 µs first, not right after 2 tries ○",
     ]
     head, *rows = saved(page)
-    assert head[:8] == ["name", "code", "points", "points.first", "points.most", "next", "next.text", "next.right"]
+    who, points = ["name", "email", "id", "code"], ["points", "points.first", "points.most"]
+    assert head[:10] == [*who, *points, "next", "next.text", "next.right"]
     assert [row[0] for row in rows[:5]] == ["'=1+1", "Müller, Ida", "'+49", "Jane Doe", ""]
-    assert [row[1] for row in rows] == codes
+    assert [row[1:3] for row in rows[:5]] == [[""] * 2] * 3 + [["jane@uni.example", "1234567"], [""] * 2]
+    assert [row[3] for row in rows] == codes
     by = {name: [row[k] for row in rows] for k, name in enumerate(head)}
     assert by["next.text"][1] == "A second contact" and by["next.right"][:3] == ["false", "true", "false"]
     assert [by["back.first"][k] for k in (0, 1, 3)] == ["true", "false", "true"]

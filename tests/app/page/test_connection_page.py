@@ -31,8 +31,13 @@ def watch(page) -> None:
 
 
 def quiet(page) -> None:
-    """Wait until a loss is known, of which only those hear who hear the page."""
-    expect(page.tab.get_by_role("status").filter(has_text="There is no connection")).to_be_attached()
+    """Wait until a loss is known, which is said in a line above all else."""
+    said = page.tab.get_by_role("status").filter(has_text="There is no connection")
+    expect(said).to_be_in_viewport(ratio=1)
+    below = page.evaluate("() => strikewave.page.root.querySelector('.topbar').getBoundingClientRect().top")
+    box = said.bounding_box()
+    assert 16.0 < box["height"] <= below + 0.5  # it is read, and lies on nothing
+    assert said.evaluate("(it) => it.scrollHeight <= it.clientHeight && it.scrollWidth <= it.clientWidth")
     expect(page.tab.get_by_role("alert")).to_be_hidden()
 
 

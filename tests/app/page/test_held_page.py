@@ -230,3 +230,22 @@ def test_where_a_link_hides_what_is_asked_the_source_does_not_tell_it(open_page)
     expect(source).to_have_text("")
     page = open_page("?scene=drop-test&layout=opening")
     expect(page.tab.locator(".source")).to_have_text(re.compile("^Source: "))
+
+
+def test_a_link_hides_the_ways_to_look_closer(open_page):
+    page = open_page("?scene=drop-test&layout=opening", own=True)
+    form = the_form(page)
+    ways = form.get_by_role("group", name="Ways to look closer, and the source")
+    expect(ways.get_by_role("button")).to_have_text(["Free", "Hidden"])
+    ways.get_by_role("button", name="Hidden").press("Enter")
+    expect(form.get_by_role("status")).to_have_text(
+        "A class sees what you see; hidden: Ways to look closer, and the source; all else is free."
+    )
+    link = form.get_by_label("The link").input_value()
+    page.tab.goto(link)
+    page.wait("() => Boolean(window.strikewave)")
+    settled(page)
+    for name in ("Analysis", "All charts and controls", "Charts"):
+        expect(page.tab.get_by_role("button", name=name, exact=True)).to_have_count(0)
+    expect(page.tab.get_by_text("Source:")).to_be_hidden()
+    assert "hide=closer" in page.evaluate("() => decodeURIComponent(location.search)")

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from .test_lesson_walks import THERE
+
 CURVE = "() => { const { x, y } = strikewave.page.view.force.exact; return { x: [...x], y: [...y] }; }"
 
 
@@ -21,6 +23,9 @@ def test_a_lesson_about_one_solution_does_not_say_how_it_was_found(open_page):
     page = open_page("?scene=fixed-rod&layout=opening")
     page.wait("() => strikewave.page.opening.section.shown")
     assert "solved by" in page.evaluate(by)
-    page = open_page("?lesson=elastic-and-plastic&step=7")
+    page = open_page("?lesson=elastic-and-plastic&step=8&language=en")
+    page.wait(THERE)
     page.wait("() => strikewave.page.opening.section.shown")
-    assert page.evaluate(by) == ""
+    assert page.evaluate(by) == ""  # although its force of before is beside it
+    force = "strikewave.page.opening.section.shown.tracks.find((track) => track.force)"
+    assert page.evaluate(f"() => {force}.series.map(({{ cursor }}) => cursor)") == ["now", "at first"]
