@@ -120,7 +120,7 @@ export class Stage {
    * @returns {[striker: number, struck: number]}
    */
   #sizes(width, height) {
-    const { impactor, target } = this.frame;
+    const { impactor, rods, target } = this.frame;
     const most = Math.min(0.16 * width, (target.row ? 0.32 : 0.62) * height); // below the words, where it is near them
     if (target.row) {
       const radii = [impactor.radius ?? target.row[0], ...target.row];
@@ -133,7 +133,8 @@ export class Stage {
       const larger = Math.max(own, target.radius);
       return [(most * own) / larger, (most * target.radius) / larger];
     }
-    const heavy = target.held && (!this.span || this.#meetsBody) ? 1 : impactor.mass / target.mass; // a wall has no mass to compare with
+    const held = target.held && (!this.span || strikesBody(rods)); // a wall has no mass to compare with
+    const heavy = held ? 1 : impactor.mass / target.mass;
     const usual = this.leads ? this.#thick(height) : BODY;
     const own = Math.min(Math.max(usual * heavy ** (1 / 6), 22), most);
     return [own, Math.min(0.36 * height, 68)];
@@ -143,17 +144,13 @@ export class Stage {
    * @param {number} width
    */
   #places(width) {
-    const { impactor, target } = this.frame;
+    const { impactor, rods, target } = this.frame;
     const rod = impactor.kind === 'rod';
-    if (this.#meetsBody) return [(this.leads ? LEADS.left : 0.1) * width, BODY_AT * width];
+    if (strikesBody(rods)) return [(this.leads ? LEADS.left : 0.1) * width, BODY_AT * width];
     const bends = this.frame.exactBend && width > NARROW; // its bar is laid flat at the left
     const left = (this.leads ? (bends ? LEADS.bends : LEADS.left) : rod ? 0.08 : width < NARROW ? 0.25 : 0.21) * width;
     if (target.held && target.support !== 'anechoic') return [left, width - (target.rotation ? 66 : 30)];
     return [left, (rod ? 0.86 : 0.82) * width];
-  }
-  /** Whether rods strike what has no waves. */
-  get #meetsBody() {
-    return strikesBody(this.frame.rods);
   }
   /** @param {number} height */
   #thick(height) {
@@ -184,8 +181,7 @@ export class Stage {
           this.leads ? LEADS.gap * width : (rods.length ? left : struckAt) - behind - EDGE,
           width - right - beyond - EDGE,
         ];
-    const perMetre = hangs ? drawnLength(frame, middle, height) / Number(impactor.length) : 0;
-    this.#fit(right - left, size, room, perMetre);
+    this.#fit(right - left, size, room, hangs ? drawnLength(frame, middle, height) / Number(impactor.length) : 0);
     const meeting = field.mass(t) > field.face(t);
     if (impactor.kind === 'pendulum') this.#pendulum(c, t, rods.length ? left : FACE * width, middle, height);
     const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : struckAt;
@@ -194,7 +190,7 @@ export class Stage {
     const own = rest + field.mass(t) * this.scale;
     const meet = meeting ? (face + own) / 2 : undefined;
     if (frame.turningBar) turningBar(c, frame, t, { rest, middle, scale: this.scale, height });
-    else if ((!rods.length || this.#meetsBody) && !frame.target.row)
+    else if ((!rods.length || strikesBody(rods)) && !frame.target.row)
       struckBody(c, frame, { face, middle, size: impactor.kind === 'pendulum' ? 2 * WIDTH : struck, meet }, width);
     const contact = this.touching(t);
     if (frame.target.row) {
