@@ -163,17 +163,21 @@ export class Compare {
     const { page } = this;
     const { changes, history } = page;
     const { chosen } = page.frame;
-    const lost = [];
+    let lost = wanted;
     history.going ??= wanted; // to where it was kept: that is no step
     changes.quiet = page.root.inert = true;
     page.waiter.soon('kept', text('compare.restoring'));
-    for (const { letter, settings } of wanted)
-      if (await reached(changes, { scene: chosen.scene, ...settings })) this.runs.push(new Run(letter, changes.bytes));
-      else lost.push(letter);
+    for (let times = 0; times < 2; times++) {
+      const asked = lost; // twice: why one before was refused may be said late, and end the next
+      lost = [];
+      for (const each of asked)
+        if (!(await reached(changes, { scene: chosen.scene, ...each.settings }))) lost.push(each);
+        else this.runs.push(new Run(each.letter, changes.bytes));
+    }
     await reached(changes, chosen);
     changes.quiet = page.root.inert = false;
     page.waiter.over('kept');
-    if (lost.length) page.complain(text('compare.lost', { names: lost }));
+    if (lost.length) page.complain(text('compare.lost', { names: lost.map(({ letter }) => letter) }));
     this.runs.sort((a, b) => a.letter.localeCompare(b.letter));
     this.#changed();
     if (history.going === wanted) history.going = null;

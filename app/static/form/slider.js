@@ -47,7 +47,9 @@ export class Slider {
     this.range.dataset.term = name;
     this.root = make('div', { className: `field field-${name}` }, head, wrong, this.range);
     const { low, high } = family(`ends.${name}`);
-    if (low && high) this.root.append(make('p', { className: 'ends' }, make('span', {}, low), make('span', {}, high)));
+    if (!low || !high) return;
+    this.root.append(make('p', { className: 'ends' }, make('span', {}, low), make('span', {}, high)));
+    this.root.classList.add('ended');
   }
   get log() {
     return this.bounds.low > 0 && this.bounds.high >= FAR * this.bounds.low;

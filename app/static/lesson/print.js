@@ -191,7 +191,7 @@ export class Print {
     Object.assign(lesson, {
       paper: true,
       still: true,
-      progress: { ...progress, far: 0, answers: Object.create(null) },
+      progress: { ...progress, far: 0, answers: Object.create(null), ends: { ...progress.ends } },
     });
     for (const k of lesson.record.steps.keys()) await this.#look(k);
     Object.assign(lesson, { progress, still });

@@ -145,10 +145,11 @@ export class Changes {
       goal.done(frame);
       return;
     }
-    const unsent = missing.filter((name) => !Object.is(server.model[name], wanted[name]));
-    if (!unsent.length) return; // all is on its way
+    const unsent = names.filter((name) => !Object.is(server.model[name], wanted[name]));
+    if (!missing.some((name) => unsent.includes(name))) return; // all is on its way
     goal.tries += 1;
     if (goal.tries > MAX_TRIES) this.leave();
+    // with what was refused and is not yet taken back, else that would have these refused too
     for (const name of this.goal ? unsent : []) this.waiting[name] = wanted[name];
     this.flush();
   }

@@ -36,7 +36,7 @@ def test_picture_caption_and_charts_of_bodies_without_waves_tell_one_solution(op
     shown = "() => [strikewave.page.view.field.mass(0.5), strikewave.page.view.stage.touching(0.5)]"
     moved, touching = page.evaluate(shown)
     assert moved > 0.2 and touching  # it presses on; a rigid impulse would have thrown it back by then
-    expect(page.tab.locator(".caption")).to_have_text("The pendulum touches the other mass.")
+    expect(page.tab.locator(".caption")).to_have_text("The pendulum touches the mass.")
     assert page.evaluate("() => strikewave.page.view.force.at(0.5)") > 0
     legend = page.tab.locator(".chart:visible", has_text="Contact force").locator(".legend")
     expect(legend).to_contain_text("compliant contact")
