@@ -9,6 +9,8 @@ from playwright.sync_api import expect, sync_playwright
 
 from .servers import Server
 
+pytest.register_assert_rewrite("tests.app.page.hands", "tests.app.page.students")  # which say what they have found
+
 LABORATORY = "?layout=laboratory"  # the first scene, with all charts and controls
 MEDIA = ("media", "reduced_motion", "color_scheme", "forced_colors", "contrast")  # that a test may emulate
 # ms, for a machine that does much else beside, and compiles what no other test has asked for.

@@ -108,6 +108,7 @@ class Student:
         onwards(page)
 
     def hand_in(self) -> None:
+        self.page.quiet()  # of what was chosen before, an answer may still come
         before = len(self.requests), len(self.sent)
         button(self.page, "Code for my teacher").click()
         self.code = self.page.tab.locator(".class-code").inner_text()
