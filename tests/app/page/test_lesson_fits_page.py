@@ -37,16 +37,22 @@ NEAR = """() => {
 }"""
 
 
-@pytest.mark.browser
-@pytest.mark.parametrize(
-    "name, step", [("the-energy-left-ringing", 1), ("the-energy-left-ringing", 6), ("modes-against-waves", 1)]
-)
-def test_an_analysis_is_seen_wholly(open_page, name, step):
+def answered(open_page, name: str, step: int):
+    """A step of a lesson, with its choice made where it asks for one."""
     page = open_page(f"?lesson={name}&step={step}&language=en", size=SIZE)
     page.wait(THERE)
     if page.tab.locator(".lesson-choice input").count():
         page.tab.locator(".lesson-choice input").first.press("Space")
         page.tab.locator(".lesson-choice .lesson-main").press("Enter")
+    return page
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(
+    "name, step", [("the-energy-left-ringing", 1), ("the-energy-left-ringing", 6), ("modes-against-waves", 1)]
+)
+def test_an_analysis_is_seen_wholly(open_page, name, step):
+    page = answered(open_page, name, step)
     page.wait(IN_VIEW)
     page.fits(SIZE[0])
 
@@ -54,10 +60,6 @@ def test_an_analysis_is_seen_wholly(open_page, name, step):
 @pytest.mark.browser
 @pytest.mark.parametrize("name, step", [("a-link-that-bends", 5), ("a-link-that-bends", 1)])
 def test_the_scale_of_colours_is_clear_of_the_mass(open_page, name, step):
-    page = open_page(f"?lesson={name}&step={step}&language=en", size=SIZE)
-    page.wait(THERE)
-    if page.tab.locator(".lesson-choice input").count():
-        page.tab.locator(".lesson-choice input").first.press("Space")
-        page.tab.locator(".lesson-choice .lesson-main").press("Enter")
+    page = answered(open_page, name, step)
     over, drawn = page.evaluate(NEAR)
     assert over == 0 and drawn
