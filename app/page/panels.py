@@ -34,6 +34,7 @@ class Panels(Questions):
     _refuse: Callable[[dict[str, Any]], None]
     _wait: Callable[[str, dict[str, Any] | None], None]
     _report: Callable[..., Coroutine]
+    _shown_choices: dict[str, Any]
     choose: Callable[[dict[str, Any]], None]
 
     def open_panels(self) -> None:
@@ -48,7 +49,7 @@ class Panels(Questions):
         self.param.watch(self.ask_panels, list(self.FOLLOWED))
         for view in VIEWS:
             self._open(view)
-        acts = partial(setattr, self, "closer"), self._refuse, partial(self._wait, IN_VIEW)
+        acts = partial(setattr, self, "closer"), self._refuse_closer, partial(self._wait, IN_VIEW)
         self._runners[IN_VIEW] = Runner(solve_frame, *self._reports(acts), visitor=self.visitor)
         self.param.watch(self._look_closer, IN_VIEW)
         acts = self.choose, self._refuse, partial(self._wait, with_body_value.__name__)
@@ -58,6 +59,12 @@ class Panels(Questions):
         """Have a question answered by choices that change."""
         self._runners[name] = runner
         self.param.watch(partial(self._go_to, name), name)
+
+    def _refuse_closer(self, reason: dict[str, Any]) -> None:
+        """Say it of what is shown: of other choices their own answer does, and twice would end what is asked next."""
+        asked, shown = self._runners[IN_VIEW].current, self._shown_choices
+        if shown and shown == {name: asked.get(name) for name in shown}:
+            self._refuse(reason)
 
     def _look_closer(self, event: param.parameterized.Event) -> None:
         """Have the histories of the stretch of time in view sampled for it."""

@@ -163,21 +163,17 @@ export class Compare {
     const { page } = this;
     const { changes, history } = page;
     const { chosen } = page.frame;
-    let lost = wanted;
+    const lost = [];
     history.going ??= wanted; // to where it was kept: that is no step
     changes.quiet = page.root.inert = true;
     page.waiter.soon('kept', text('compare.restoring'));
-    for (let times = 0; times < 2; times++) {
-      const asked = lost; // twice: why one before was refused may be said late, and end the next
-      lost = [];
-      for (const each of asked)
-        if (!(await reached(changes, { scene: chosen.scene, ...each.settings }))) lost.push(each);
-        else this.runs.push(new Run(each.letter, changes.bytes));
-    }
+    for (const { letter, settings } of wanted)
+      if (await reached(changes, { scene: chosen.scene, ...settings })) this.runs.push(new Run(letter, changes.bytes));
+      else lost.push(letter);
     await reached(changes, chosen);
     changes.quiet = page.root.inert = false;
     page.waiter.over('kept');
-    if (lost.length) page.complain(text('compare.lost', { names: lost.map(({ letter }) => letter) }));
+    if (lost.length) page.complain(text('compare.lost', { names: lost }));
     this.runs.sort((a, b) => a.letter.localeCompare(b.letter));
     this.#changed();
     if (history.going === wanted) history.going = null;
