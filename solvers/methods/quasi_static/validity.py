@@ -60,10 +60,10 @@ def beam_notes(scene: Scene) -> list[Note]:
 
 
 def waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
-    """A note for each rod that the contact does not outlast: what the force would send into it and not get back; and
-    for each other body that can ring: what the force would leave in its modes.
+    """A note for each rod that the contact does not outlast: what the force would send into it and not get back; for
+    each other body that can ring: what the force would leave in its modes; and for what a slow contact bends.
     """
-    notes = _spring_left_out(scene, motion, contact)
+    notes = _springs_left_out(scene, motion, contact)
     for name, body in (("impactor", scene.impactor), ("target", scene.target)):
         if body.time_unit is not None and not isinstance(body, Rod):
             notes += _ringing_left_out(scene, name, motion, contact)
@@ -77,16 +77,27 @@ def waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) 
     return notes
 
 
-def _spring_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
-    """A held body that a slow contact bends as a spring, in series with the contact law."""
-    target = scene.target
-    if not isinstance(target, (Rod, Bending)) or not target.fixed:
-        return []
-    share = 0.5 * contact.peak_force**2 / spring_of(target).stiffness / scene.initial_energy
-    slow = target.time_unit if isinstance(target, Bending) else SLOW_ROUND_TRIPS * target.round_trip_time
-    if contact.end < slow or share <= NEGLIGIBLE_ENERGY:
-        return []
-    return [Note("spring-left-out", Severity.WARNING, body=target.kind, share=min(share, 1.0))]
+def _springs_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
+    """Bodies that a slow contact bends as springs, in series with the contact law: what is held, or by its own inertia."""
+    notes = []
+    for name, body in (("impactor", scene.impactor), ("target", scene.target)):
+        if not isinstance(body, (Rod, Bending)):
+            continue
+        held = name == "target" and body.fixed
+        softness = 1.0 / spring_of(body).stiffness if held or isinstance(body, Bending) else _softness(body)
+        share = 0.5 * contact.peak_force**2 * softness / scene.initial_energy
+        slow = body.time_unit if isinstance(body, Bending) else SLOW_ROUND_TRIPS * body.round_trip_time
+        if contact.end < slow or share <= NEGLIGIBLE_ENERGY:
+            continue
+        code = "spring-left-out" if held else "yielding-left-out"
+        notes.append(Note(code, Severity.WARNING, body=body.kind, side=name, share=min(share, 1.0)))
+    return notes
+
+
+def _softness(rod: Rod) -> float:
+    """Twice the strain energy of a free rod over the square of a force that speeds up all of it [m/N]."""
+    behind = rod.end_mass / rod.mass  # the push falls to this share of the force along the rod
+    return (1.0 + behind + behind**2) / (3.0 * rod.stiffness)
 
 
 def _ringing_left_out(scene: Scene, name: str, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:

@@ -127,3 +127,27 @@ def test_a_held_body_that_gives_way_as_a_spring_is_reported(target):
     for softness, doubted in ((2.0, True), (5000.0, False)):
         said, peak = reported(own / softness)
         assert said == doubted == (peak > 1.02)
+
+
+@pytest.mark.parametrize(
+    "striker",
+    [
+        {"kind": "rod", "length": 0.5, "section": {"area": 1e-4}, "velocity": 1.0},
+        {"kind": "rod", "length": 0.5, "section": {"area": 1e-4}, "velocity": 1.0, "end_mass": 0.2},
+        {"kind": "beam", "length": 0.5, "section": {"width": 0.01, "height": 0.01}, "at": 0.5, "velocity": 1.0},
+    ],
+    ids=["rod", "rod with an end mass", "beam"],
+)
+def test_a_free_body_that_gives_way_under_its_inertia_is_reported(striker):
+    """The share of the energy is as much as the square of the force loses."""
+    scene = {"impactor": striker | {"material": "steel"}, "target": {"kind": "stop"}}
+    stiffness = 4e6 if striker["kind"] == "rod" else 2e4
+    found = {}
+    for factor in (1.0, 1e-3):
+        law = {"law": "linear", "stiffness": stiffness * factor}
+        local = QuasiStatic(model="local").solve(Scene.from_table(scene | {"contact": law}))
+        exact = solvers.solve(local.scene, "fe-modal", duration=local.duration)
+        (share,) = [note.values["share"] for note in local.notes if note.code == "yielding-left-out"] or [0.0]
+        found[factor] = share
+        assert (exact.peak_force / local.peak_force) ** 2 == approx(1.0 - share, abs=0.3 * share + 0.01)
+    assert found[1.0] > 0.02 and found[1e-3] == 0.0
