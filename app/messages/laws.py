@@ -11,7 +11,7 @@ from solvers.contact import Hertz, Rigid
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.damping import OF_KERNELS
 from solvers.contact.duration import exponent_of
-from solvers.methods.quasi_static.springs import is_spring, spring_of
+from solvers.methods.springs import is_spring, spring_of
 
 from ..choices.built_in import base_of
 from ..choices.choices import Choices

@@ -23,7 +23,7 @@ from .start import note_on_start
 from .striking import as_striking
 from .theory_limits import notes_on_theory
 from .validity import MAX_TRUSTED_ESTIMATE, beside_elastic, bodies_that_bend, general_notes
-from .weight import falls_along, leave_out_weight, weight_too_large
+from .weight import falls_along, hangs_low, leave_out_weight, weight_too_large
 
 AFTERGLOW = 1.0  # round trips shown after the bodies have parted for good, where no duration is asked for
 MAX_ROUND_TRIPS = 20_000.0  # nothing is followed for longer
@@ -162,7 +162,7 @@ class Method(ABC):
         notes = [note for note in notes if self.CONSERVES or note.code != "books-open"]
         notes += notes_on_ripple(solution) if self.RIPPLES else []
         notes += notes_on_theory(solution, self.WAVES)
-        notes += self._notes_on_links(solution.scene) + falls_along(solution.scene)
+        notes += self._notes_on_links(solution.scene) + falls_along(solution.scene) + hangs_low(solution)
         notes += [] if whole else not_followed(solution)
         return [note for note in notes if note not in own]
 

@@ -11,9 +11,12 @@ from ..numerics.weighted_path import RESTING
 from ..scene import Scene
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
+from .springs import is_spring, spring_of
 
 PARTS = 4  # of the time so far, in the last of which a body at rest does not move; of a period, how often is looked
 MAX_LEFT_OUT = 0.01  # of the speed of approach: with more a method that leaves weight out refuses the scene
+LARGE_SAG = 0.1  # of what the impact adds: less is not said
+INSTANTS = 250  # at which that is looked for
 LOOKS = 8  # in the time so far, at most: each goes through all of it
 MOST_SWINGS = 10.0  # times as many as of what never leaves: then it is cut short
 GOES_ON, FLIES, RESTS, SINKS, SWINGS_ON, ENDLESS = range(6)  # how an impact under weight goes
@@ -101,6 +104,30 @@ def left_out_later(scene: Scene, acceleration: float, duration: float) -> list[N
     share = abs(acceleration) * duration / scene.speed
     grave = Severity.REMARK if share <= MAX_LEFT_OUT else Severity.WARNING
     return [Note("weight-left-out-later", grave, time=duration, share=100.0 * share)] if share else []
+
+
+def sag_of(scene: Scene) -> float:
+    """How far what is held has given way under its own weight where it is struck [m], before the impact."""
+    target = scene.target
+    if not (scene.weight_acceleration and target.held) or target.endless:
+        return 0.0
+    if target.rods:
+        before = np.cumsum([0.0, *(rod.mass for rod in target.rods[:-1])])
+        pulled = sum((above + 0.5 * rod.mass) / rod.stiffness for above, rod in zip(before, target.rods, strict=True))
+        return scene.weight_acceleration * float(pulled)
+    if not is_spring(target):
+        return 0.0
+    spring = spring_of(target)
+    return scene.weight_acceleration * target.mass * spring.mean / spring.stiffness
+
+
+def hangs_low(solution: Solution) -> list[Note]:
+    """That the sag of what is held is as large as what the impact adds, or a good part of it."""
+    sag, motion = sag_of(solution.scene), solution.motion
+    if not sag or motion is None or not solution.duration > 0.0:
+        return []
+    added = float(np.abs(motion.end_position(np.linspace(0.0, solution.duration, INSTANTS))).max())
+    return [Note("held-hangs", Severity.REMARK, sag=sag, added=added)] if sag > LARGE_SAG * added else []
 
 
 def falls_along(scene: Scene) -> list[Note]:

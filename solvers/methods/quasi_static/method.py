@@ -28,11 +28,11 @@ from ...solution.summary import summary, touching
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..options import option, word
+from ..springs import is_spring, spring_of
 from ..validity import STILL_TOUCHING
 from .balls import solve_balls
 from .balls import why_not as why_not_balls
 from .local import Estimate, local
-from .springs import is_spring, spring_of
 from .validity import beam_notes, equal_rods, rod_notes, waves_left_out
 
 SWINGS = 5.0  # for which a mass that never leaves a spring is followed

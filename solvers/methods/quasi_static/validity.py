@@ -10,7 +10,7 @@ from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
-from .springs import spring_of
+from ..springs import spring_of
 
 COMPARABLE_MASSES = 0.1, 10.0  # mass ratios between which the structural estimate does not hold, thesis 3.5
 SLOW_ROUND_TRIPS = 5.0  # that a slow contact outlasts; shorter ones leave waves behind, thesis 3.5
@@ -78,7 +78,7 @@ def waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) 
 
 
 def _springs_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
-    """Bodies that a slow contact bends as springs, in series with the contact law: what is held, or by its own inertia."""
+    """Bodies that a slow contact bends, in series with the contact law: as a spring, or by their own inertia."""
     notes = []
     for name, body in (("impactor", scene.impactor), ("target", scene.target)):
         if not isinstance(body, (Rod, Bending)):

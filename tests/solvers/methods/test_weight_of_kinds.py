@@ -94,3 +94,29 @@ def test_peaks_on_what_hardly_gives_way(falling, held, height):
             found[name] = solution.peak_force
     assert "modal" in found
     assert found == pytest.approx(dict.fromkeys(found, peak), rel=1e-3)  # springs of 2e4 N/m beside one of 2e8 N/m
+
+
+STRIP = {"kind": "beam", "length": 2.0, "section": {"width": 0.05, "height": 0.01}, "material": "steel"}
+LINE_WEIGHT = 7900.0 * 0.05 * 0.01 * 9.80665
+SAGS = [
+    ({"kind": "spring-mass", "mass": 10.0, "stiffness": 1e4}, 10.0 * 9.80665 / 1e4),
+    (ROD | {"support": "fixed"}, 1e3 * 9.80665 / (2.0 * 1e7)),
+    (CHAIN | {"support": "fixed"}, 4.0 * 1e3 * 9.80665 / (2.0 * 1e7)),  # one of twice the length
+    (STRIP | {"support": "cantilever", "at": 1.0}, LINE_WEIGHT * 2.0**4 / 8.0),
+    (STRIP | {"support": "pinned-pinned", "at": 0.5}, 5.0 * LINE_WEIGHT * 2.0**4 / 384.0),
+    (STRIP | {"support": "clamped-clamped", "at": 0.5}, LINE_WEIGHT * 2.0**4 / 384.0),
+]
+
+
+@pytest.mark.parametrize("held, sag", SAGS)
+def test_what_hangs_low_before_the_impact_is_said(held, sag):
+    """q L^4 / 8 E I and its like, where what the impact adds is not much more."""
+    scene = Scene.from_table(
+        {"impactor": {"mass": 1e-3, "height": 1e-3}, "target": held, "contact": {"law": "linear", "stiffness": 1e3}}
+    )
+    if scene.target.bends:
+        sag /= scene.target.material.young * scene.target.section.second_moment
+    (note,) = (note for note in solvers.solve(scene).notes if note.code == "held-hangs")
+    assert note.values["sag"] == pytest.approx(sag, rel=1e-6)
+    thrown = {"mass": 1e-3, "velocity": 0.14, "gravity": 1e-6}
+    assert "held-hangs" not in [note.code for note in solvers.solve(scene.replace({"impactor": thrown})).notes]

@@ -10,7 +10,7 @@ from pytest import approx
 import solvers
 from solvers import QuasiStatic, Scene, Waves
 from solvers.bodies.lumped import RigidMass
-from solvers.methods.quasi_static.springs import spring_of
+from solvers.methods.springs import spring_of
 from solvers.numerics.modes import rigid_body
 from solvers.text.notes import Note, Severity
 from tests.catalog import RIGID, STEEL_ROD_MASS, bronze_rod, struck_beam, struck_rod

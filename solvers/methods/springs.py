@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...bodies import AnyBody, Bending, Rod, SpringMass
-from ...numerics.beams.statics import rigid_motion, static_shape
-from ...numerics.quadrature import gauss
-from ...numerics.single_degree import Response, half_swing, straight
-from ...solution.sampled_motion import ShapeField
+from ..bodies import AnyBody, Bending, Rod, SpringMass
+from ..numerics.beams.statics import rigid_motion, static_shape
+from ..numerics.quadrature import gauss
+from ..numerics.single_degree import Response, half_swing, straight
+from ..solution.sampled_motion import ShapeField
 
 
 class Spring(NamedTuple):

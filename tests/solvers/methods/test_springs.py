@@ -7,7 +7,7 @@ import pytest
 from pytest import approx
 
 from solvers import QuasiStatic, Scene, Waves
-from solvers.methods.quasi_static.springs import spring_of
+from solvers.methods.springs import spring_of
 from tests.catalog import RIGID, ROD, SIGMA0_AREA, STEEL_ROD, STEEL_ROD_MASS, T, struck_beam, struck_rod
 from tests.solvers.methods.quasi_static.impacts import rods
 
