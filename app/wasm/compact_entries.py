@@ -5,7 +5,7 @@ from numba import carray
 
 from solvers.contact.duration import half_swing
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
-from solvers.numerics import compact_drawn, damped_path, modal_drawn, path_collision
+from solvers.numerics import compact_drawn, modal_drawn, path_collision, path_steps
 from solvers.numerics.closed_collisions import Collision
 from solvers.numerics.law_functions import CONSTANTS
 from solvers.numerics.single_degree import SAMPLES
@@ -47,7 +47,7 @@ def compact(
         pressed[2], curve[0], curve[1],
     )  # fmt: skip
     followed = Collision(h[0][:n], h[1][:n], h[2][:n], h[3][:n], h[4][:n], h[5][:n], h[6][:n])
-    path = compact_drawn.Path(carray(cell, (damped_path.ROWS, damped_path.STAGES)), carray(edges, (EDGES,)))
+    path = compact_drawn.Path(carray(cell, (path_steps.ROWS, path_steps.STAGES)), carray(edges, (EDGES,)))
     return compact_drawn.answer(
         AnyStepped(number, c[0], c[1], c[2], c[3], c[4], c[5]), ANY_LAW, (c, LOSES[number]),
         compact_drawn.Sort(int(kind), exponent, c[0], SAMPLES + 1),
@@ -73,7 +73,7 @@ COMPACT_ENTRIES = {
             "otherTime": COURSE + 1,
             "otherForce": COURSE + 1,
             "course": 8 * (COURSE + 1),
-            "cell": damped_path.ROWS * damped_path.STAGES,
+            "cell": path_steps.ROWS * path_steps.STAGES,
             "edges": EDGES,
             "cycle": 3 * CYCLE,
             "lawCycle": 2 * DEPTHS,

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from . import damped_path, weighted_path
+from . import damped_path, path_steps, weighted_path
 from .closed_collisions import Collision, follow_power, follow_sine
 from .law_functions import constants_of
 from .path_collision import STAGES, STRETCHES, follow_path, instants, stretches
@@ -60,7 +60,7 @@ def damped_collision(law: Any, mass: float, speed: float, unit: float) -> Collis
     Error: 1e-11 of the speed.
     """
     ask, constants, slopes = law_function(type(law)), constants_of([law])[0], np.empty(2)
-    cell, room, count = np.empty((damped_path.ROWS, damped_path.STAGES)), damped_path.USUAL, -1
+    cell, room, count = np.empty((path_steps.ROWS, path_steps.STAGES)), damped_path.USUAL, -1
     while count < 0:
         found, room = Collision.of(room), 2 * room
         count = damped_path.follow_damped(ask, constants, slopes, mass, speed, unit, cell, found)
@@ -76,7 +76,7 @@ def weighted_collision(
     Returns it, how it has ended, and whether the body can never leave. Error: 1e-11 of the largest speed.
     """
     ask, constants, slopes = law_function(type(law)), constants_of([law])[0], np.empty(2)
-    cell, room, ended, size = np.empty((damped_path.ROWS, damped_path.STAGES)), damped_path.USUAL, 0, 0
+    cell, room, ended, size = np.empty((path_steps.ROWS, path_steps.STAGES)), damped_path.USUAL, 0, 0
     fastest = math.hypot(speed, fall * unit)
     scales = fastest * unit, fastest, mass * fastest / unit, fall * unit / fastest
     found, bound, swings = Collision.of(room), False, SWINGS_TO_REST if law.LOSSY else SWINGS

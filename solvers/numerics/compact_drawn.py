@@ -58,7 +58,7 @@ class Sort(NamedTuple):
 class Path(NamedTuple):
     """Room for work integrals, and for a damped path."""
 
-    cell: np.ndarray  # (damped_path.ROWS, STAGES) of either
+    cell: np.ndarray  # (path_steps.ROWS, STAGES) of either
     edges: np.ndarray  # (path_collision.STRETCHES + 1,)
 
 

@@ -1,95 +1,42 @@
 """Two compact bodies pressed together by a law with damping: mu a'' = -F(a, a'), as kernels.
 
-In the root z of the indentation, while time runs by dt = 2 z ds: what meets at a speed then begins smoothly, and parts
-so. By collocation; the largest force, the deepest indentation and the parting are instants of their own.
+By the steps of `path_steps`; the largest force, the deepest indentation and the parting are instants of their own.
 """
 
 import math
 
 from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
-from .quadrature import gauss_within
+from .path_steps import HALVINGS, TOUCHED, longest, push, rises, stepped
 from .waves.laws import FORCE, STORED
 
-STAGES = 6
-ROWS = 3  # of room (ROWS, STAGES) for a step: root, rate and pull at each stage
-SWING, SLOWED = 1.0 / 64.0, 0.25  # the longest step: a share of a radian, and of the time in which damping acts
-WIDTH = 0.5  # about the largest root
+ANEW = (0.0, 0.0)  # faces without a dent, never pressed before
 USUAL = 500  # instants; most contacts have fewer
 FAINT = 1e-12  # times the force without damping: what presses less goes on at its speed, before rounding alone presses
 CREPT = 50  # instants until it has parted, where it presses as faintly all the way
 SLOW = 1e-6  # of the speed: as deep as it gets, but for a part in 1e12
 RISING, CLOSING, OPENING, CREEPING, PARTED = range(5)
-TOUCHED = 1e-300  # indentation of faces that have just met: a law whose force jumps then presses
-SETTLED, ITERATIONS = 1e-16, 100  # of all stages, beside one
-HALVINGS = 60  # of a step, to its last bit
-_NODES, _WEIGHTS, _INTEGRATE = gauss_within(STAGES)
 
 
 @inner_kernel
-def _pull(asked, constants, slopes, units, root, rate):
-    """dw / ds, with w the rate; leaves the slopes of the force. units: of indentation, rate and force."""
-    depth = units[0] * root * root if root > 0.0 else 0.0
-    return -2.0 * root * asked(FORCE, constants, depth, units[1] * rate, 0.0, slopes) / units[2]
+def _pull(asked, constants, slopes, scales, root, rate):
+    """dw / ds, with w the rate; leaves the slopes of the force."""
+    return -2.0 * root * push(asked, constants, slopes, scales, ANEW, root, rate)
 
 
 @inner_kernel
-def _longest(asked, constants, slopes, units, root, rate):
-    """How long a step may be from here."""
-    depth = units[0] * root * root
-    force = asked(FORCE, constants, depth, units[1] * rate, 0.0, slopes)
-    stiff = 2.0 * (force + 2.0 * depth * slopes[0]) / units[2]
-    damping = 2.0 * root * slopes[1] * units[1] / units[2]
-    return 1.0 / ((math.sqrt(max(stiff, 0.0)) + abs(rate) / WIDTH) / SWING + damping / SLOWED)
-
-
-@inner_kernel
-def _stepped(asked, constants, slopes, units, root, rate, step, cell):
-    """Root, rate and the time gone by after a step, whose stages are written into `cell`."""
-    for i in range(STAGES):
-        cell[0, i], cell[1, i] = root + step * _NODES[i] * rate, rate
-    for _ in range(ITERATIONS):
-        change = 0.0
-        for i in range(STAGES):
-            cell[2, i] = _pull(asked, constants, slopes, units, cell[0, i], cell[1, i])
-        for row, start in ((1, rate), (0, root)):
-            for i in range(STAGES):
-                gone = 0.0
-                for j in range(STAGES):
-                    gone += _INTEGRATE[i, j] * cell[row + 1, j]
-                change = max(change, abs(start + step * gone - cell[row, i]))
-                cell[row, i] = start + step * gone
-        if change <= SETTLED:
-            break
-    moved, slowed, time = 0.0, 0.0, 0.0
-    for i in range(STAGES):
-        moved += _WEIGHTS[i] * cell[1, i]
-        slowed += _WEIGHTS[i] * cell[2, i]
-        time += _WEIGHTS[i] * 2.0 * cell[0, i]
-    return root + step * moved, rate + step * slowed, step * time
-
-
-@inner_kernel
-def _rises(asked, constants, slopes, units, root, rate):
-    """Whether the force grows."""
-    depth = max(units[0] * root * root, TOUCHED)
-    force = asked(FORCE, constants, depth, units[1] * rate, 0.0, slopes)
-    return slopes[0] * rate > slopes[1] * force * units[1] / (units[0] * units[2])
-
-
-@inner_kernel
-def _goes_on(asked, constants, slopes, units, phase, root, rate):
+def _goes_on(asked, constants, slopes, scales, phase, root, rate):
     """Whether the force still grows, the bodies still come closer, or still press."""
     if phase == RISING:
-        return _rises(asked, constants, slopes, units, root, rate)
+        return rises(asked, constants, slopes, scales, ANEW, root, rate)
     if phase == CLOSING:
         return rate > 0.0
-    pull = _pull(asked, constants, slopes, units, root, rate)
-    return root > 0.0 and pull < FAINT * _pull(asked, constants, slopes, units, root, 0.0)
+    pull = _pull(asked, constants, slopes, scales, root, rate)
+    return root > 0.0 and pull < FAINT * _pull(asked, constants, slopes, scales, root, 0.0)
 
 
 @inner_kernel
-def _after(asked, constants, slopes, units, phase, root, rate):
+def _after(asked, constants, slopes, scales, phase, root, rate):
     """What follows a phase. Damping that grows with the indentation as the force does may leave a faint one until it is
     none; other damping outweighs it all at once.
     """
@@ -97,21 +44,21 @@ def _after(asked, constants, slopes, units, phase, root, rate):
         return CLOSING
     if phase != OPENING:
         return OPENING
-    faint = 2.0 * FAINT * _pull(asked, constants, slopes, units, root, 0.0)
-    creeps = _pull(asked, constants, slopes, units, root, rate) > faint
-    return CREEPING if creeps and _pull(asked, constants, slopes, units, 0.5 * root, rate) < 0.0 else PARTED
+    faint = 2.0 * FAINT * _pull(asked, constants, slopes, scales, root, 0.0)
+    creeps = _pull(asked, constants, slopes, scales, root, rate) > faint
+    return CREEPING if creeps and _pull(asked, constants, slopes, scales, 0.5 * root, rate) < 0.0 else PARTED
 
 
 @inner_kernel
-def _followed(asked, constants, slopes, units, phase, root, rate, cell):
+def _followed(asked, constants, slopes, scales, phase, root, rate, cell):
     """Root, rate and the time gone by after a step, and whether the phase has ended with it."""
-    part = most = _longest(asked, constants, slopes, units, root, rate)
+    part = most = longest(asked, constants, slopes, scales, ANEW, root, rate)
     least, halvings = 0.0, 0
     while True:
-        there = _stepped(asked, constants, slopes, units, root, rate, part, cell)
+        there = stepped(asked, constants, slopes, scales, ANEW, root, rate, part, cell)
         if halvings == HALVINGS:
             return there[0], there[1], there[2], True
-        if _goes_on(asked, constants, slopes, units, phase, there[0], there[1]):
+        if _goes_on(asked, constants, slopes, scales, phase, there[0], there[1]):
             if halvings == 0:
                 return there[0], there[1], there[2], False
             least = part
@@ -128,12 +75,12 @@ def follow_damped(asked, constants, slopes, mass, speed, unit, cell, course):
     asked: `waves.laws.law_function`; slopes: room for it (2,); unit: about how long they touch [s]; cell: room (ROWS,
     STAGES).
     """
-    units = speed * unit, speed, mass * speed / unit
+    scales = speed * unit, speed, mass * speed / unit, 0.0
     root, rate, time, crept, faint = 0.0, 1.0, 0.0, 0, 0.0
-    phase = RISING if _rises(asked, constants, slopes, units, root, rate) else CLOSING
+    phase = RISING if rises(asked, constants, slopes, scales, ANEW, root, rate) else CLOSING
     for k in range(course.time.size):
         check_time()
-        depth, force, stored = units[0] * root * root, 0.0, 0.0
+        depth, force, stored = scales[0] * root * root, 0.0, 0.0
         if phase != PARTED:
             force = asked(FORCE, constants, max(depth, TOUCHED), speed * rate, 0.0, slopes)
             stored = asked(STORED, constants, depth, 0.0, depth, slopes)
@@ -148,9 +95,9 @@ def follow_damped(asked, constants, slopes, mass, speed, unit, cell, course):
             time -= faint / CREPT / rate
             phase = PARTED if crept == CREPT else CREEPING
             continue
-        root, rate, gone, ended = _followed(asked, constants, slopes, units, phase, root, rate, cell)
+        root, rate, gone, ended = _followed(asked, constants, slopes, scales, phase, root, rate, cell)
         time += gone
         if ended:
-            phase = _after(asked, constants, slopes, units, phase, root, rate)
+            phase = _after(asked, constants, slopes, scales, phase, root, rate)
             faint = root * root
     return -1

@@ -1,8 +1,7 @@
 """A compact body that its weight presses on what is held: mu a'' = mu g - F(a, a', deepest), as kernels.
 
-Any law, with damping or memory or neither. As `damped_path`, in the root z of the indentation over that at which the
-contact opens, while time runs by dt = 2 z ds: what meets at a speed then begins smoothly, and parts so. By collocation;
-the largest force, corners of the law, turning points and the parting are instants of their own.
+Any law, with damping or memory or neither, by the steps of `path_steps`; the largest force, corners of the law, turning
+points and the parting are instants of their own.
 
 The body leaves when nothing presses any more and its speed carries it beyond where the contact opens. Once kinetic
 energy, what the contact stores and the height cannot do that, it never leaves: it is followed until it rests.
@@ -14,71 +13,12 @@ import numpy as np
 
 from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
-from .damped_path import HALVINGS, ITERATIONS, SETTLED, SLOWED, STAGES, SWING, WIDTH
-from .quadrature import gauss_within
-from .waves.laws import CORNER, DENT, FORCE, STORED
+from .path_steps import HALVINGS, longest, push, rises, stepped
+from .waves.laws import CORNER, DENT, STORED
 
 RESTING = 1e-6  # of the largest speed, and of the weight: what is left of either when a body rests
-TOUCHED = 1e-300  # indentation of faces that have just met: a law whose force jumps then presses
 RISING, CLOSING, OPENING, SILENT = range(4)  # of a stretch: what ends it is written at `_goes_on`
 NO_ROOM, LEFT, RESTS, GOES_ON = range(4)  # how `follow_weighted` has ended
-_NODES, _WEIGHTS, _INTEGRATE = gauss_within(STAGES)
-
-
-@inner_kernel
-def _push(asked, constants, slopes, scales, memory, root, rate):
-    """The contact force, in its unit; leaves the slopes. scales: units of indentation, rate and force, and the weight
-    in that; memory: indentation at which the contact opens, and the deepest.
-    """
-    depth = max(memory[0] + scales[0] * root * root, TOUCHED)
-    return asked(FORCE, constants, depth, scales[1] * rate, memory[1], slopes) / scales[2]
-
-
-@inner_kernel
-def _longest(asked, constants, slopes, scales, memory, root, rate):
-    """How long a step may be from here."""
-    push = _push(asked, constants, slopes, scales, memory, root, rate)
-    stiff = 2.0 * (push + scales[3] + 2.0 * root * root * slopes[0] * scales[0] / scales[2])
-    damping = 2.0 * root * slopes[1] * scales[1] / scales[2]
-    return 1.0 / ((math.sqrt(max(stiff, 0.0)) + abs(rate) / WIDTH) / SWING + damping / SLOWED)
-
-
-@inner_kernel
-def _stepped(asked, constants, slopes, scales, memory, root, rate, step, cell):
-    """Root, rate and the time gone by after a step, whose stages are written into `cell`."""
-    for i in range(STAGES):
-        cell[0, i], cell[1, i] = root + step * _NODES[i] * rate, rate
-    for _ in range(ITERATIONS):
-        change = 0.0
-        for i in range(STAGES):
-            push = (
-                _push(asked, constants, slopes, scales, memory, max(cell[0, i], 0.0), cell[1, i])
-                if cell[0, i] > 0.0
-                else 0.0
-            )
-            cell[2, i] = 2.0 * cell[0, i] * (scales[3] - push)
-        for row, start in ((1, rate), (0, root)):
-            for i in range(STAGES):
-                gone = 0.0
-                for j in range(STAGES):
-                    gone += _INTEGRATE[i, j] * cell[row + 1, j]
-                change = max(change, abs(start + step * gone - cell[row, i]))
-                cell[row, i] = start + step * gone
-        if change <= SETTLED:
-            break
-    moved, slowed, time = 0.0, 0.0, 0.0
-    for i in range(STAGES):
-        moved += _WEIGHTS[i] * cell[1, i]
-        slowed += _WEIGHTS[i] * cell[2, i]
-        time += _WEIGHTS[i] * 2.0 * cell[0, i]
-    return root + step * moved, rate + step * slowed, step * time
-
-
-@inner_kernel
-def _rises(asked, constants, slopes, scales, memory, root, rate):
-    """Whether the force grows."""
-    push = _push(asked, constants, slopes, scales, memory, root, rate)
-    return slopes[0] * scales[0] * rate + slopes[1] * scales[1] * (scales[3] - push) > 0.0
 
 
 @inner_kernel
@@ -86,20 +26,20 @@ def _goes_on(asked, constants, slopes, scales, memory, corner, phase, root, rate
     """Whether the force still grows; the bodies come closer, up to the next corner of the law; still open, and press;
     do not press."""
     if phase == SILENT:
-        return root > 0.0 and _push(asked, constants, slopes, scales, memory, root, rate) <= 0.0
+        return root > 0.0 and push(asked, constants, slopes, scales, memory, root, rate) <= 0.0
     if phase != OPENING:
         closes = rate > 0.0 and memory[0] + scales[0] * root * root < corner
-        return closes and (phase == CLOSING or _rises(asked, constants, slopes, scales, memory, root, rate))
-    return rate < 0.0 and root > 0.0 and _push(asked, constants, slopes, scales, memory, root, rate) > 0.0
+        return closes and (phase == CLOSING or rises(asked, constants, slopes, scales, memory, root, rate))
+    return rate < 0.0 and root > 0.0 and push(asked, constants, slopes, scales, memory, root, rate) > 0.0
 
 
 @inner_kernel
 def _followed(asked, constants, slopes, scales, memory, corner, phase, root, rate, cell):
     """Root, rate and the time gone by after a step, and whether the stretch has ended with it."""
-    part = most = _longest(asked, constants, slopes, scales, memory, root, rate)
+    part = most = longest(asked, constants, slopes, scales, memory, root, rate)
     least, halvings = 0.0, 0
     while True:
-        there = _stepped(asked, constants, slopes, scales, memory, root, rate, part, cell)
+        there = stepped(asked, constants, slopes, scales, memory, root, rate, part, cell)
         if halvings == HALVINGS:
             return there[0], there[1], there[2], True
         if _goes_on(asked, constants, slopes, scales, memory, corner, phase, there[0], there[1]):
@@ -126,10 +66,10 @@ def _write(course, k, begun, scales, now):
     """An instant of the contact; begun: mass, speed, energy and indentation at the touch; now: time, indentation, rate
     in its unit, force, energy stored. What is left of the energy is lost to the law."""
     mass, speed, energy, opens = begun
-    time, depth, rate, push, stored = now
+    time, depth, rate, pressed, stored = now
     fall, moves = scales[3] * scales[2] / mass, scales[1] * rate
     course.time[k], course.indentation[k], course.rate[k] = time, depth, moves
-    course.force[k], course.stored[k] = push, stored
+    course.force[k], course.stored[k] = pressed, stored
     course.impulse[k] = mass * (speed - moves + fall * time)
     course.lost[k] = max(energy + mass * fall * (depth - opens) - 0.5 * mass * moves * moves - stored, 0.0)
 
@@ -149,15 +89,15 @@ def follow_weighted(asked, constants, slopes, start, scales, cell, course):
     memory, root, rate, time = (opens, deepest), 0.0, speed / scales[1], 0.0
     corner = min(asked(CORNER, constants, opens, 0.0, deepest, slopes), deepest if deepest > 0.0 else math.inf)
     first = asked(STORED, constants, opens, 0.0, deepest, slopes)
-    phase = RISING if _rises(asked, constants, slopes, scales, memory, root, rate) else CLOSING
+    phase = RISING if rises(asked, constants, slopes, scales, memory, root, rate) else CLOSING
     bound, turns, energy = np.bool_(False), 0, 0.5 * mass * speed * speed + first
     for k in range(course.time.size):
         check_time()
         depth = memory[0] + scales[0] * root * root
-        push = scales[2] * _push(asked, constants, slopes, scales, memory, root, rate)
+        pressed = scales[2] * push(asked, constants, slopes, scales, memory, root, rate)
         stored = asked(STORED, constants, depth, 0.0, max(memory[1], depth), slopes)
-        _write(course, k, (mass, speed, energy, opens), scales, (unit * time, depth, rate, push, stored))
-        if abs(rate) <= RESTING and abs(push / scales[2] - scales[3]) <= RESTING * scales[3]:
+        _write(course, k, (mass, speed, energy, opens), scales, (unit * time, depth, rate, pressed, stored))
+        if abs(rate) <= RESTING and abs(pressed / scales[2] - scales[3]) <= RESTING * scales[3]:
             return RESTS, k + 1, bound
         root, rate, gone, ended = _followed(asked, constants, slopes, scales, memory, corner, phase, root, rate, cell)
         time += gone

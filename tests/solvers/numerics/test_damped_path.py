@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from solvers.contact import HuntCrossley, KelvinVoigt, LeeWang
 from solvers.contact.damping import LEAST_RESTITUTION, damping_for
 from solvers.contact.duration import contact_time
-from solvers.numerics import damped_path
+from solvers.numerics import damped_path, path_steps
 from solvers.numerics.closed_collisions import Collision
 from solvers.numerics.collisions import damped_collision, power_collision
 from solvers.numerics.law_functions import constants_of
@@ -102,6 +102,6 @@ def test_the_largest_force_is_an_instant(law):
 
 def test_where_there_is_no_room_it_says_so():
     law, found = HuntCrossley(STIFFNESS, 0.1), Collision.of(50)
-    cell = np.empty((damped_path.ROWS, damped_path.STAGES))
+    cell = np.empty((path_steps.ROWS, path_steps.STAGES))
     ask, constants = law_function(HuntCrossley), constants_of([law])[0]
     assert damped_path.follow_damped(ask, constants, np.empty(2), 1.0, 1.0, 1e-4, cell, found) == -1
