@@ -149,9 +149,11 @@ def test_a_scene_without_rows_gives_its_room_to_the_picture_and_takes_it_back(op
         assert page.evaluate("() => strikewave.page.root.classList.contains('bare')") == bare, scene
 
 
+# Where it has come to is answered by the server, too, once it rests: after that nothing else is offered.
 WALKED = """(said) => {
-  const { asked, opening } = strikewave.page;
-  return !asked && !opening.walking && opening.change.textContent !== said;
+  const { asked, changes, opening, telling, waiting } = strikewave.page;
+  const rests = !asked && !changes.resting && !telling && !Object.keys(waiting).length;
+  return rests && !opening.walking && opening.change.textContent !== said;
 }"""
 
 
