@@ -5,7 +5,10 @@ import signal
 import pytest
 from playwright.sync_api import expect
 
+from solvers.scenes.library import SCENES
+
 from ..conftest import Page
+from ..strangers import named
 from .moved import READY
 
 TICKS = 30  # of 100 ms, within which a loss is noticed: by a timer of the page, which a busy machine slows
@@ -197,7 +200,23 @@ def answers_nothing(page):
     yield
 
 
+OWN = named((SCENES / "four-bar.toml").read_text("utf-8"))
+
+
+def has_a_scene_of_its_own(page):
+    """It is in the link, whole."""
+    page.tab.get_by_role("slider", name="Mass ratio").first.press("ArrowRight")
+    page.wait("() => strikewave.page.frame.chosen.mass_ratio > 0.5")
+    page.evaluate("() => { window.same = true; }")
+    yield
+    quiet(page)
+    yield
+    page.wait("name => !window.same && window.strikewave?.page.frame?.chosen.scene === name", OWN, timeout=BACK)
+    assert page.header("chosen")["mass_ratio"] > 0.5
+
+
 WALKS = [
+    (has_a_scene_of_its_own, f"?scene={OWN}&mass_ratio=0.5&layout=laboratory", ""),
     (plays, "?scene=free-rod&mass_ratio=2.5", ""),
     (tells_what_waits, "?scene=free-rod&layout=opening", ""),
     (analyses, "", ""),
