@@ -1,5 +1,6 @@
 """What of the pinned Bokeh, Panel and Tornado must be otherwise for a page that anybody may open."""
 
+import gc
 from socket import socket
 from typing import Any
 
@@ -7,6 +8,7 @@ from bokeh.server import server as bokeh_server
 from bokeh.server import tornado as bokeh_tornado
 from bokeh.server.urls import per_app_patterns
 from bokeh.server.util import bind_sockets
+from panel.io import document
 from panel.io.server import ComponentResourceHandler
 from tornado import httputil
 from tornado.escape import parse_qs_bytes
@@ -26,6 +28,7 @@ def install() -> None:
     RequestHandler.set_default_headers = set_headers  # pyright: ignore[reportAttributeAccessIssue]
     ComponentResourceHandler.parse_url_path = _nothing_here  # it imports the module that an address names
     StaticFileHandler.get = _without_null(StaticFileHandler.get)
+    document._garbage_collect = _collect
     httputil.parse_qs_bytes = _first_fields(parse_qs_bytes)  # pyright: ignore[reportPrivateImportUsage]
 
 
@@ -39,6 +42,12 @@ def listen_on(sockets: list[socket] | None) -> None:
         return sockets, port
 
     bokeh_server.bind_sockets = take  # pyright: ignore[reportPrivateImportUsage]
+
+
+def _collect() -> None:
+    """What visitors have left, seconds after the first of them: Panel waits until nobody has left for as long, and what
+    many have left in turn until then holds up all others at once."""
+    gc.collect()
 
 
 def _nothing_here(self, path):

@@ -83,15 +83,11 @@ def compared(page):
     return page.evaluate(f"() => {RECORD}.answer")
 
 
-def with_example(open_page):
+def test_the_example_lies_on_its_scene_is_moved_by_hand_and_compared_anew(open_page):
     page = open_page()
     opened(page, "Compare with measured data")
     page.tab.get_by_role("button", name="Try the example").click()
-    return page, compared(page)
-
-
-def test_the_example_lies_on_its_scene(open_page):
-    page, answer = with_example(open_page)
+    answer = compared(page)
     assert page.header("chosen")["scene"] == "bronze-rod-steel-ball"
     assert answer["scale"] == pytest.approx(1.0, abs=0.02) and answer["residual"] < 0.05
     expect(page.tab.locator(".residual")).to_contain_text(f"{100 * answer['residual']:.3g}"[:4])
@@ -99,9 +95,6 @@ def test_the_example_lies_on_its_scene(open_page):
     units = page.evaluate("() => Math.max(...strikewave.page.frame.record.force) * strikewave.page.frame.forceUnit")
     assert units == pytest.approx(page.header("exact")["peakForce"], rel=0.02)
 
-
-def test_shift_and_scale_are_moved_by_hand_and_set_back(open_page):
-    page, answer = with_example(open_page)
     pixels = page.picture()
     remains = f"() => {RECORD}.remains({RECORD}.answer)"
     for name in ("Shift of the record", "Scale of the record"):
@@ -111,34 +104,30 @@ def test_shift_and_scale_are_moved_by_hand_and_set_back(open_page):
         page.tab.get_by_role("button", name="Automatic").click()
         assert page.evaluate(remains) == answer["residual"]
 
-
-def test_a_changed_scene_is_compared_anew(open_page):
-    page, before = with_example(open_page)
     page.answered(lambda: drag(page, "Impact speed", 0.6))
-    page.wait(f"before => {RECORD}.answer && Math.abs({RECORD}.answer.scale - before) > 0.1", before["scale"])
+    page.wait(f"before => {RECORD}.answer && Math.abs({RECORD}.answer.scale - before) > 0.1", answer["scale"])
     settled(page)
     faster = page.header("chosen")["speed"] / 2.03
     assert faster < compared(page)["scale"] < faster**1.2  # as the impulse grows, and as the peak does (Hertz)
 
 
-@pytest.mark.parametrize(
-    "content, said",
-    [
-        (b"time_us,microstrain\n0,0\n", "at least 8"),
-        (b"\0\1\2" * 999, "The record is no text"),
-        (b"1,2\n" * 600_000, "at most 2000000 are read"),
-    ],
-    ids=["one line", "binary", "too large"],
-)
-def test_a_bad_file_is_refused_and_the_page_lives(open_page, content, said):
+BAD = {
+    "at least 8": b"time_us,microstrain\n0,0\n",
+    "The record is no text": b"\0\1\2" * 999,
+    "at most 2000000 are read": b"1,2\n" * 600_000,
+}
+
+
+def test_a_bad_file_is_refused_and_the_page_lives(open_page):
     page = open_page("?scene=bronze-rod-steel-ball")
     opened(page, "Compare with measured data")
-    file = {"name": "bad.csv", "mimeType": "text/csv", "buffer": content}
-    page.tab.locator("input[type=file]").set_input_files(file)
-    expect(page.tab.locator(".record-panel .wrong")).to_contain_text(said)
-    assert page.evaluate(f"() => {RECORD}.answer") is None
-    assert [error for error in page.errors if "status of 4" not in error] == []
-    page.errors.clear()  # the browser itself notes that the file was refused
+    for said, content in BAD.items():
+        file = {"name": "bad.csv", "mimeType": "text/csv", "buffer": content}
+        page.tab.locator("input[type=file]").set_input_files(file)
+        expect(page.tab.locator(".record-panel .wrong")).to_contain_text(said)
+        assert page.evaluate(f"() => {RECORD}.answer") is None
+        assert [error for error in page.errors if "status of 4" not in error] == []
+        page.errors.clear()  # the browser itself notes that the file was refused
     page.answered(lambda: drag(page, "Impact speed", 0.6))
     page.wait(f"() => !{RECORD}.asking && !strikewave.page.asked")
     page.errors.clear()

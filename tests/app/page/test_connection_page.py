@@ -5,7 +5,10 @@ import signal
 import pytest
 from playwright.sync_api import expect
 
+from solvers.scenes.library import SCENES
+
 from ..conftest import Page
+from ..strangers import named
 from .moved import READY
 
 TICKS = 30  # of 100 ms, within which a loss is noticed: by a timer of the page, which a busy machine slows
@@ -63,15 +66,30 @@ def open_on(browser, own_server):
 
 
 @pytest.mark.slow
-def test_without_a_server_playback_goes_on_and_the_page_comes_back(own_server, open_on):
-    page = open_on("?scene=free-rod&mass_ratio=2.5")
+def test_a_server_that_hangs_is_noticed_by_who_waits_for_it(own_server, open_on):
+    page = open_on()
+    page.wait(READY)
+    own_server.process.send_signal(signal.SIGSTOP)
+    watch(page)
+    page.evaluate("() => strikewave.page.choose('method', 'fe-nodal')")
+    waits(page, "What you have chosen waits")
+    soon(page)
+    own_server.process.send_signal(signal.SIGCONT)
+    page.wait("() => window.strikewave?.page.frame.chosen.method === 'fe-nodal'", timeout=BACK)
+    expect(page.tab.get_by_role("alert")).to_be_hidden()
+
+
+# What pages go through while their server is there, then without it, and once it is back: a yield each between.
+
+
+def plays(page):
+    """Playback goes on, and the page comes back."""
     page.wait(READY)
     page.turn_to("Numbers")
     page.evaluate("() => { strikewave.page.player.go(0.4); strikewave.page.axial.axis.show([0.25, 0.75]); }")
     page.evaluate("() => { strikewave.page.player.pace.value = '0.1'; strikewave.page.player.toggle(); }")
     page.evaluate("() => { window.same = true; }")
-    watch(page)
-    own_server.end()
+    yield
     quiet(page)
     soon(page)
     t = page.evaluate("() => strikewave.page.player.t")
@@ -79,7 +97,7 @@ def test_without_a_server_playback_goes_on_and_the_page_comes_back(own_server, o
     page.evaluate("() => strikewave.page.choose('speed', 3)")
     page.wait("() => strikewave.page.frame.chosen.speed === 3")
     quiet(page)
-    own_server.start()
+    yield
     page.wait("() => !window.same && window.strikewave?.page.frame.chosen.speed === 3", timeout=BACK)
     assert page.header("chosen")["scene"] == "free-rod"
     assert page.header("chosen")["mass_ratio"] == 2.5
@@ -89,17 +107,15 @@ def test_without_a_server_playback_goes_on_and_the_page_comes_back(own_server, o
     expect(page.tab.get_by_role("alert")).to_be_hidden()
 
 
-@pytest.mark.slow
-def test_a_server_that_goes_while_a_slider_is_dragged(own_server, open_on):
+def drags(page):
     """The drag is answered on; nothing is said to be solved that is not; what is chosen last is there in the end."""
-    page = open_on("?layout=laboratory")
     page.wait(READY)
     box = page.tab.get_by_role("slider", name="Mass ratio").bounding_box()
     y, first = box["y"] + box["height"] / 2, box["x"] + box["width"] / 2
     page.tab.mouse.move(first, y)
     page.tab.mouse.down()
     page.tab.mouse.move(first + 20, y, steps=10)
-    own_server.end()
+    yield
     quiet(page)
     before = page.evaluate(SHOWN)
     page.tab.mouse.move(first + 40, y, steps=10)
@@ -117,9 +133,9 @@ def test_a_server_that_goes_while_a_slider_is_dragged(own_server, open_on):
     page.evaluate("() => { window.same = true; }")
     page.tab.mouse.move(first + 40, y)
     page.tab.mouse.down()
-    own_server.start()
-    page.tab.wait_for_timeout(3000)  # in which it would come back
-    assert page.evaluate("() => window.same")
+    yield
+    asked = page.evaluate("() => strikewave.page.connection.timer")
+    page.wait("asked => window.same && strikewave.page.connection.timer !== asked", asked)  # it would have come back
     page.tab.mouse.up()
     page.wait("() => window.strikewave?.page.frame.chosen.method === 'fe-nodal'", timeout=BACK)
     assert page.evaluate(SHOWN) == last
@@ -130,11 +146,9 @@ def test_a_server_that_goes_while_a_slider_is_dragged(own_server, open_on):
 ANALYSIS = "() => { const { analyses } = strikewave.page; analyses.open(analyses.byName.get('modes')); }"
 
 
-@pytest.mark.slow
-def test_what_waits_for_a_lost_server_is_said(own_server, open_on):
-    page = open_on("?scene=free-rod&layout=opening")
+def tells_what_waits(page):
     page.wait(READY)
-    own_server.end()
+    yield
     quiet(page)
     page.tab.locator("button.scene").click()
     waits(page, "The scenes can be fetched")
@@ -156,16 +170,15 @@ def test_what_waits_for_a_lost_server_is_said(own_server, open_on):
     page.evaluate("() => strikewave.page.choose('scene', 'bronze-rod-steel-ball')")
     waits(page, "The other scene waits")
     expect(page.tab.get_by_role("button", name="Reload")).to_be_hidden()  # by which the page would be gone
-    own_server.start()
+    yield
     page.wait("() => window.strikewave?.page.frame.chosen.scene === 'bronze-rod-steel-ball'", timeout=BACK)
     expect(page.tab.get_by_role("alert")).to_be_hidden()
 
 
-@pytest.mark.slow
-def test_an_analysis_that_waited_is_answered_once_the_server_is_back(own_server, open_on):
-    page = open_on()
+def analyses(page):
+    """An analysis that waited is answered."""
     page.wait(READY)
-    own_server.end()
+    yield
     quiet(page)
     page.evaluate("() => strikewave.page.choose('mass_ratio', 0.7)")
     page.wait(f"() => ({SHOWN})() === 0.7")
@@ -173,33 +186,62 @@ def test_an_analysis_that_waited_is_answered_once_the_server_is_back(own_server,
     page.evaluate(ANALYSIS)
     waits(page, "The analysis waits")
     page.evaluate("() => { window.same = true; }")
-    own_server.start()
+    yield
     page.wait(f"() => !window.same && window.strikewave && ({SHOWN})() === 0.7", timeout=BACK)
     page.wait("() => strikewave.page.analyses.byName.get('modes').root.ariaBusy === 'false'")
     expect(page.tab.get_by_role("alert")).to_be_hidden()
 
 
-@pytest.mark.slow
-def test_where_the_browser_answers_nothing_a_lost_server_is_said_at_once(own_server, open_on):
-    page = open_on(script="delete globalThis.WebAssembly;")
-    watch(page)
-    own_server.end()
+def answers_nothing(page):
+    """Where the browser answers nothing the loss is said at once."""
+    yield
     waits(page, "What you choose waits")
     soon(page)
+    yield
+
+
+OWN = named((SCENES / "four-bar.toml").read_text("utf-8"))
+
+
+def has_a_scene_of_its_own(page):
+    """It is in the link, whole."""
+    page.tab.get_by_role("slider", name="Mass ratio").first.press("ArrowRight")
+    page.wait("() => strikewave.page.frame.chosen.mass_ratio > 0.5")
+    page.evaluate("() => { window.same = true; }")
+    yield
+    quiet(page)
+    yield
+    page.wait("name => !window.same && window.strikewave?.page.frame?.chosen.scene === name", OWN, timeout=BACK)
+    assert page.header("chosen")["mass_ratio"] > 0.5
+
+
+WALKS = [
+    (has_a_scene_of_its_own, f"?scene={OWN}&mass_ratio=0.5&layout=laboratory", ""),
+    (plays, "?scene=free-rod&mass_ratio=2.5", ""),
+    (tells_what_waits, "?scene=free-rod&layout=opening", ""),
+    (analyses, "", ""),
+    (answers_nothing, "", "delete globalThis.WebAssembly;"),
+    (drags, "?layout=laboratory", ""),
+]
 
 
 @pytest.mark.slow
-def test_a_server_that_hangs_is_noticed_by_who_waits_for_it(own_server, open_on):
-    page = open_on()
-    page.wait(READY)
-    own_server.process.send_signal(signal.SIGSTOP)
-    watch(page)
-    page.evaluate("() => strikewave.page.choose('method', 'fe-nodal')")
-    waits(page, "What you have chosen waits")
-    soon(page)
-    own_server.process.send_signal(signal.SIGCONT)
-    page.wait("() => window.strikewave?.page.frame.chosen.method === 'fe-nodal'", timeout=BACK)
-    expect(page.tab.get_by_role("alert")).to_be_hidden()
+def test_pages_go_on_without_their_server_and_come_back_with_it(own_server, open_on):
+    """All of them at once, as a server takes seconds to start."""
+    pages = [open_on(query, script=script) for _, query, script in WALKS]
+    walks = [walk(page) for (walk, *_), page in zip(WALKS, pages, strict=True)]
+    for each in walks:
+        next(each)
+    for page in pages:
+        watch(page)
+    own_server.end()
+    for each in walks:
+        next(each)
+    for page in pages:
+        page.evaluate("() => { strikewave.page.connection.pause = 300; }")  # looks for it as often as at first
+    own_server.start()
+    for each in walks:
+        next(each, None)
 
 
 TAKE_SOCKET = """() => {

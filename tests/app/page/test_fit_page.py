@@ -11,6 +11,11 @@ from ..fitting import DRAWN, INSTANTS, LARGE, UNREACHED, WRITTEN, lettered
 from .hands import type_into
 
 
+def fits(page) -> None:
+    assert page.evaluate(DRAWN, INSTANTS) == []
+    assert page.evaluate(WRITTEN) == []
+
+
 @pytest.mark.parametrize(
     "size, query",
     [
@@ -24,31 +29,29 @@ from .hands import type_into
     ids=str,
 )
 def test_no_words_are_cut_or_lie_on_others(open_page, size, query):
-    page = open_page(query, size=size)
-    assert page.evaluate(DRAWN, INSTANTS) == []
-    assert page.evaluate(WRITTEN) == []
+    fits(open_page(query, size=size))
 
 
 SIZES = [(1920, 1080), (1440, 900), (1280, 720), (820, 1180), (390, 844)]
+IN_SPANISH = [
+    "?language=es",
+    "?layout=laboratory&language=es",
+    "?scene=hammer-on-cantilever&language=es",
+    "?scene=four-bar-moves&language=es",
+    *(f"?scene={name}&layout=opening&language=es" for name in ("brick-on-floor", "bouncing-ball", "newtons-cradle")),
+    "?scene=compound-pendulum&layout=opening&language=es",
+    "?panel=methods&language=es",
+]
 
 
-@pytest.mark.parametrize("size", SIZES, ids=str)
-@pytest.mark.parametrize(
-    "query",
-    [
-        "",
-        "?layout=laboratory",
-        "?scene=hammer-on-cantilever",
-        "?scene=four-bar-moves",
-        *(f"?scene={name}&layout=opening" for name in ("brick-on-floor", "bouncing-ball", "newtons-cradle")),
-        "?scene=compound-pendulum&layout=opening",
-        "?panel=methods",
-    ],
-)
-def test_what_is_said_in_spanish_has_its_room(open_page, size, query):
-    page = open_page(f"{query}{'&' if query else '?'}language=es", size=size)
-    assert page.evaluate(DRAWN, INSTANTS) == []
-    assert page.evaluate(WRITTEN) == []
+@pytest.mark.parametrize("first, query", enumerate(IN_SPANISH))
+def test_what_is_said_in_spanish_has_its_room(open_page, first, query):
+    """Opened in a window of one size, which then has the others."""
+    sizes = [SIZES[(first + k) % len(SIZES)] for k in range(len(SIZES))]
+    page = open_page(query, size=sizes[0])
+    for size in sizes:
+        page.resize(*size)
+        fits(page)
 
 
 SAID_ON_STAGE = """(share) => {
@@ -115,20 +118,22 @@ def test_of_a_striker_that_has_flown_off_a_beam_it_is_said_how_far(open_page):
     assert not [words for words in page.evaluate(SAID_ON_STAGE, 0) if "beyond" in words]
 
 
-@pytest.mark.parametrize("size", [(1280, 720), (820, 1180), (390, 844)], ids=str)
 @pytest.mark.parametrize(
-    "query", ["", "?layout=laboratory", "?scene=hammer-on-cantilever", "?scene=hammer-on-cantilever&layout=opening"]
+    "first, query",
+    enumerate(["", "?layout=laboratory", "?scene=hammer-on-cantilever", "?scene=hammer-on-cantilever&layout=opening"]),
 )
-def test_large_letters_have_their_room(open_page, size, query):
-    page = open_page(query, script=LARGE, size=size)
+def test_large_letters_have_their_room(open_page, first, query):
+    sizes = [SIZES[2:][(first + k) % 3] for k in range(3)]
+    page = open_page(query, script=LARGE, size=sizes[0])
     assert page.evaluate("() => getComputedStyle(document.documentElement).fontSize") == "24px"
-    assert page.evaluate(DRAWN, INSTANTS) == []
-    assert page.evaluate(WRITTEN) == []
-    page.evaluate("() => strikewave.page.player.go(0.4 * strikewave.page.player.duration)")  # which has much to say
-    caption = page.tab.locator(".caption")
-    assert caption.evaluate("element => element.scrollHeight - element.clientHeight") <= 1
-    clock = page.tab.locator(".pinned .clock")
-    assert clock.evaluate("element => element.scrollWidth - element.clientWidth") <= 0
+    for size in sizes:
+        page.resize(*size)
+        fits(page)
+        page.evaluate("() => strikewave.page.player.go(0.4 * strikewave.page.player.duration)")  # which has much to say
+        caption = page.tab.locator(".caption")
+        assert caption.evaluate("element => element.scrollHeight - element.clientHeight") <= 1
+        clock = page.tab.locator(".pinned .clock")
+        assert clock.evaluate("element => element.scrollWidth - element.clientWidth") <= 0
 
 
 # The force in the window, in pixels of its plot, and those of the room for controls.

@@ -1,15 +1,14 @@
-"""A scene of one's own is in its link, whole: opened by it, reloaded, and after the server has begun anew."""
+"""A scene of one's own is in its link, whole: opened by it, and reloaded; after its server has begun anew, too, as in
+`test_connection_page`."""
 
 import pytest
 
 from solvers.scenes.library import SCENES
 
 from ...patience import SECONDS
-from ..conftest import Page
 from ..strangers import named
 
 CHOSEN = "(name) => window.strikewave?.page.frame?.chosen.scene === name"
-ANEW = f"(name) => !window.same && ({CHOSEN})(name)"
 COMPILED = 1e3 * SECONDS  # ms: of kinds that no page opens with, kernels may have to be compiled first
 
 
@@ -17,24 +16,17 @@ def text_of(scene: str) -> str:
     return (SCENES / f"{scene}.toml").read_text("utf-8")
 
 
-def test_a_link_holds_all_of_it_through_reload_and_restart(browser, own_server):
+def test_a_link_holds_all_of_it_and_what_is_changed_through_a_reload(open_page):
     """All of usual size were cut at 320 letters, and another scene was shown."""
     name = named(text_of("four-bar"))
     assert len(name) > 320
-    page = Page(browser, own_server.address, f"?scene={name}&mass_ratio=0.5")
-    try:
-        page.wait(CHOSEN, name)
-        page.tab.reload()
-        page.wait(CHOSEN, name)
-        page.tab.get_by_role("slider", name="Mass ratio").first.press("ArrowRight")
-        page.wait("() => strikewave.page.frame.chosen.mass_ratio > 0.5")
-        page.evaluate("() => { window.same = true; }")
-        own_server.end()
-        own_server.start()
-        page.wait(ANEW, name, timeout=COMPILED)
-        assert page.header("chosen")["mass_ratio"] > 0.5
-    finally:
-        page.context.close()
+    page = open_page(f"?scene={name}&mass_ratio=0.5")
+    page.wait(CHOSEN, name)
+    page.tab.get_by_role("slider", name="Mass ratio").first.press("ArrowRight")
+    page.wait("() => strikewave.page.frame.chosen.mass_ratio > 0.5 && !location.search.includes('mass_ratio=0.5&')")
+    page.tab.reload()
+    page.wait(CHOSEN, name)
+    assert page.header("chosen")["mass_ratio"] > 0.5
 
 
 @pytest.mark.parametrize("scene", ["stepped-rod", "hammer-on-cantilever", "brick-off-centre", "table-6.10"])

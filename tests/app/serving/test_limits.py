@@ -7,6 +7,7 @@ import asyncio
 import re
 import signal
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from playwright.sync_api import expect
@@ -23,31 +24,28 @@ from .wires import SCRIPT, closed, with_token
 # --- floods -----------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
-def test_a_socket_that_floods_is_slowed_and_closed_and_the_page_says_why(server):
-    async def attack():
-        client = await SocketClient(server).open()
-        sent = 0
-        try:
-            for k in range(6_000):
-                await asyncio.wait_for(client.set("mass_ratio", 1.0 + k / 6_000), 5.0)
-                sent += 1
-        except (OSError, TimeoutError, ConnectionError, Exception):
-            pass
-        said = None
-        try:
-            while True:
-                _, content = await client.receive(20.0)
-                for event in content.get("events", []):
-                    if event.get("attr") == "disconnected":
-                        said = event["new"]
-        except ConnectionError as error:
-            assert "1008" in str(error)
-        assert said == "serving.too-much"
-        assert sent > HASTE_BURST
-        assert (await closed(await with_token(server, client.token)))[0] == 1008  # nor does it come back
-
-    run(attack(), 120)
+async def flood(server):
+    """A socket that does not wait is slowed, told why and closed."""
+    client = await SocketClient(server).open()
+    sent = 0
+    try:
+        for k in range(6_000):
+            await asyncio.wait_for(client.set("mass_ratio", 1.0 + k / 6_000), 5.0)
+            sent += 1
+    except (OSError, TimeoutError, ConnectionError, Exception):
+        pass
+    said = None
+    try:
+        while True:
+            _, content = await client.receive(20.0)
+            for event in content.get("events", []):
+                if event.get("attr") == "disconnected":
+                    said = event["new"]
+    except ConnectionError as error:
+        assert "1008" in str(error)
+    assert said == "serving.too-much"
+    assert sent > HASTE_BURST
+    assert (await closed(await with_token(server, client.token)))[0] == 1008  # nor does it come back
 
 
 @pytest.mark.slow
@@ -198,8 +196,16 @@ def test_what_takes_too_long_is_given_up_with_a_sentence(browser, server):
     page.context.close()
 
 
-def test_a_page_that_is_turned_out_says_why_and_offers_the_way_back(browser, server):
-    page = Page(browser, server)
+def test_who_floods_is_turned_out_and_a_page_says_why_and_offers_the_way_back(browser, server):
+    """A socket and a page at once, as each takes seconds."""
+    with ThreadPoolExecutor(1) as beside:
+        flooded = beside.submit(asyncio.run, asyncio.wait_for(flood(server), 120))
+        page = Page(browser, server)
+        flood_by_page(page)
+        flooded.result()
+
+
+def flood_by_page(page) -> None:
     page.evaluate(
         """async () => {
           const { model } = strikewave.page;

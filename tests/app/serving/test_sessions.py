@@ -3,12 +3,15 @@
 import asyncio
 import gc
 import threading
+import time
 
 import panel as pn
 import pytest
 from bokeh.document import Document
+from panel.io import document
 
 from app.serving import server as page_server
+from app.serving.install import install
 
 from ..servers import free_port
 from ..socket_client import SocketClient, run
@@ -74,3 +77,13 @@ def test_fifteen_visits_leave_no_document_behind():
     assert alive > before + VISITS // 2  # so that this test could fail; what others left may go meanwhile
     assert after <= before
     assert [watchers()] == watching  # Panel's own state lives as long as the server: nothing may cling to it
+
+
+def test_what_visitors_leave_is_cleared_though_others_go_on_leaving(monkeypatch):
+    """Else a collection would find all that has been left since, and hold up everybody."""
+    install()
+    collected = []
+    monkeypatch.setattr(document, "_panel_last_cleanup", time.monotonic())
+    monkeypatch.setattr(gc, "collect", lambda: collected.append(True))
+    document._garbage_collect()
+    assert collected

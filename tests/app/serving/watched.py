@@ -46,8 +46,11 @@ def look() -> None:
 
 
 if __name__ == "__main__":
+    from panel.io import document
+
     from app.command.main import main
 
+    document.GC_DEBOUNCE = 1  # as many leave in a minute as elsewhere in an hour
     asyncio.Handle._run = timed
     gc.callbacks.append(lambda phase, found: seen.append(f"\ngc {found['generation']} {phase}"))
     threading.Thread(target=look, daemon=True).start()
