@@ -6,6 +6,7 @@ import gzip
 import json
 import math
 import re
+from functools import cache
 from html import escape
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -153,7 +154,7 @@ def _scenes(names: list[str], laboratory: str, taught: list[str], scripts: str) 
     """A script with texts, lessons, choices and a message of each scene, packed: a head in JSON, then headers of all
     messages, which are much alike, then their arrays, of which many have the same.
     """
-    parts = [_parts_of(solve_frame(Choices(scene=name, **choices_of(name)).chosen())) for name in names]
+    parts = [_parts_of(name) for name in names]
     pool: dict[bytes, int] = {}
     messages = [[len(header), [pool.setdefault(each, len(pool)) for each in arrays]] for header, arrays in parts]
     spec = spec_of_choices()
@@ -249,8 +250,10 @@ def _rounded(value: Any) -> Any:
     return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value
 
 
-def _parts_of(message: bytes) -> tuple[bytes, list[bytes]]:
-    """Header and arrays of a message, of which those are empty that the kernels of the browser make anew."""
+@cache
+def _parts_of(name: str) -> tuple[bytes, list[bytes]]:
+    """Header and arrays of a scene's message, of which those are empty that the kernels of the browser make anew."""
+    message = solve_frame(Choices(scene=name, **choices_of(name)).chosen())
     header, at = read_header(message), 4 + int.from_bytes(message[:4], "little")
     remade = REMADE[header["kind"]]
     if header.get("usualSteps"):

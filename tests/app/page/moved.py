@@ -3,8 +3,11 @@
 import math
 from collections.abc import Iterator
 from typing import Any
+from urllib.parse import parse_qsl
 
 import pytest
+
+from ..conftest import Page
 
 READY = """() => {
   const { answers } = strikewave.page.own;
@@ -30,10 +33,40 @@ MOVE = """async ([name, values]) => {
   }
   return [seen, ...[LOOKS].map((look) => look())];
 }"""
+CHOOSE = "(choice) => strikewave.page.choose(...choice)"
 AT_REST = """([name, value]) => {
   const { frame, own, changes } = strikewave.page;
   return !own.made.has(frame) && frame.chosen[name] === value && !changes.asked;
 }"""
+
+
+class Shown:
+    """Pages that go from one scene to the next as by the gallery, one for each layout."""
+
+    def __init__(self, *given: Any):
+        self.given = given  # browser, address of the server, and windows
+        self.by_layout: dict[str, Page] = {}
+        self.queries: dict[str, str] = {}  # what each has been led to last
+
+    def show(self, query: str) -> Page:
+        """With the choices of this link, or those that a test has moved before, if that is where it was."""
+        choices = dict(parse_qsl(query.lstrip("?")))
+        layout, scene = choices.pop("layout", "laboratory"), choices.pop("scene", "fixed-rod")
+        if (page := self.by_layout.get(layout)) is None:
+            browser, address, windows = self.given
+            page = self.by_layout[layout] = Page(browser, address, query, windows=windows)
+        elif self.queries[layout] != query:
+            if scene == page.header("chosen")["scene"]:  # which another one takes back to what it begins with
+                page.show_scene("free-rod" if scene == "fixed-rod" else "fixed-rod")
+            page.show_scene(scene)
+            for name, value in choices.items():
+                page.answered(lambda name=name, value=value: page.evaluate(CHOOSE, [name, value]))
+        self.queries[layout] = query
+        return page
+
+    def close(self) -> None:
+        for page in self.by_layout.values():
+            page.close()
 
 
 def by_itself(page, name: str, values: list, *looks: str) -> list[Any]:

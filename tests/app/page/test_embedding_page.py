@@ -7,7 +7,7 @@ import subprocess
 import sys
 import time
 import urllib.request
-from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
@@ -27,31 +27,58 @@ pn.Column(*(pn.bind("Mass ratio {:.2f}".format, lab.param.mass_ratio) for lab in
 """
 
 
-@pytest.fixture
-def serve(tmp_path, browser):
-    """Serve a script by a process of its own, and open its page, of which `end` ends the server."""
-    ended = []
+class Served:
+    """Scripts served by a process of their own."""
 
-    def serve_script(text: str, *call: str, path: str = "") -> tuple[Page, Callable[[], None]]:
-        port = free_port()
-        script, log = tmp_path / "lecture.py", tmp_path / "log"
-        script.write_text(text.replace("port=5007", f"port={port}"), encoding="utf-8")
-        with log.open("w") as output:
-            words = [sys.executable, *(word.format(port=port) for word in call), str(script)]
+    def __init__(self, folder: Path, scripts: dict[str, str], *call: str):
+        self.address, self.log = f"127.0.0.1:{(port := free_port())}", folder / "log"
+        for name, text in scripts.items():
+            (folder / name).write_text(text.replace("port=5007", f"port={port}"), encoding="utf-8")
+        with self.log.open("w") as output:
+            words = [sys.executable, *(word.format(port=port) for word in call), *scripts]
             environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-            process = subprocess.Popen(words, stdout=output, stderr=subprocess.STDOUT, cwd=tmp_path, env=environment)
-        ended.append(lambda: end(process, log))
+            self.process = subprocess.Popen(words, stdout=output, stderr=subprocess.STDOUT, cwd=folder, env=environment)
         deadline = time.monotonic() + 120
         while not answers(port):
-            assert process.poll() is None and time.monotonic() < deadline, log.read_text()
+            assert self.process.poll() is None and time.monotonic() < deadline, self.log.read_text()
             time.sleep(0.1)
-        page = Page(browser, f"127.0.0.1:{port}", path)
-        ended.insert(0, page.close)
-        return page, ended[-1]
 
-    yield serve_script
-    for act in ended:
-        act()
+    def end(self) -> None:
+        self.process.send_signal(signal.SIGTERM)
+        self.process.wait(20)
+        assert "Traceback" not in self.log.read_text(), self.log.read_text()[-3000:]
+
+
+@pytest.fixture
+def example(tmp_path):
+    """That of the docs."""
+    served = Served(tmp_path, {"lecture.py": EXAMPLE[1]})
+    yield served
+    served.end()
+
+
+@pytest.fixture(scope="module")
+def scripts(tmp_path_factory):
+    """Two, by Panel's command."""
+    fixed = EXAMPLE[1].replace("mass_ratio=2.0", "mass_ratio=2.0, width=700, height=600, sizing_mode='fixed'")
+    fixed = re.sub(r"^pn.serve.*", "lecture().servable()", fixed, flags=re.MULTILINE)
+    call = ("-m", "panel", "serve", "--plugins", "app.embedding", "--port", "{port}")
+    served = Served(tmp_path_factory.mktemp("scripts"), {"fixed.py": fixed, "two.py": TWO}, *call)
+    yield served
+    served.end()
+
+
+@pytest.fixture
+def opened(browser):
+    pages = []
+
+    def open_one(served: Served, path: str = "") -> Page:
+        pages.append(Page(browser, served.address, path))
+        return pages[-1]
+
+    yield open_one
+    for page in pages:
+        page.close()
 
 
 def answers(port: int) -> bool:
@@ -61,14 +88,8 @@ def answers(port: int) -> bool:
         return False
 
 
-def end(process: subprocess.Popen, log) -> None:
-    process.send_signal(signal.SIGTERM)
-    process.wait(20)
-    assert "Traceback" not in log.read_text(), log.read_text()[-3000:]
-
-
-def test_the_example_of_the_docs_solves_what_its_sliders_choose(serve):
-    page, end_server = serve(EXAMPLE[1])
+def test_the_example_of_the_docs_solves_what_its_sliders_choose(example, opened):
+    page = opened(example)
     assert page.header("chosen")["scene"] == "free-rod"
     expect(page.tab.get_by_text("The rod has 2.00 times the mass")).to_be_visible()
     address, pixels = page.tab.url, page.picture()
@@ -85,7 +106,7 @@ def test_the_example_of_the_docs_solves_what_its_sliders_choose(serve):
     assert page.header("chosen")["mass_ratio"] == chosen
     assert page.tab.url == address
     assert page.errors == [] and page.foreign == []
-    end_server()
+    example.end()
     expect(page.tab.get_by_role("status").filter(has_text="There is no connection")).to_be_attached()
     lost = page.tab.get_by_role("alert")
     expect(lost).to_be_hidden()
@@ -94,16 +115,16 @@ def test_the_example_of_the_docs_solves_what_its_sliders_choose(serve):
     expect(lost).not_to_contain_text("comes back")  # which is for the page to do
 
 
-def test_it_fills_its_place_and_not_the_window(serve):
-    page, _ = serve(EXAMPLE[1].replace("mass_ratio=2.0", "mass_ratio=2.0, width=700, height=600, sizing_mode='fixed'"))
+def test_it_fills_its_place_and_not_the_window(scripts, opened):
+    page = opened(scripts, "fixed")
     page.wait("() => strikewave.page.root.dataset.size === 'phone'")
     page.wait("() => strikewave.page.root.getBoundingClientRect().height < innerHeight")  # once its styles are there
     box = page.evaluate("() => strikewave.page.root.getBoundingClientRect()")
     assert (box["width"], box["height"]) == (700, 600)
 
 
-def test_two_of_them_have_choices_and_keys_of_their_own(serve):
-    page, _ = serve(TWO, "-m", "panel", "serve", "--plugins", "app.embedding", "--port", "{port}", path="lecture")
+def test_two_of_them_have_choices_and_keys_of_their_own(scripts, opened):
+    page = opened(scripts, "two")
     page.wait("() => strikewave.frames > 1")
     sliders = page.tab.get_by_role("slider", name="Mass ratio", exact=True)
     expect(sliders).to_have_count(2)

@@ -59,7 +59,6 @@ class Walk:
 
     def take(self) -> str:
         """All steps; the code at the end."""
-        self.page.tab.goto(f"http://{self.page.address}/?lesson={self.lesson.lesson}&language=en")
         for number, step in enumerate(self.lesson.steps, 1):
             self.there()
             assert self.page.evaluate("() => strikewave.page.opening.teaching.lesson.at") == number - 1
@@ -192,7 +191,7 @@ WAYS = {"keys": (Keys, {"size": (1440, 900)}), "finger": (Finger, {"size": (390,
 def test_a_lesson_is_taken_wholly(open_page, name, way):
     kind, how = WAYS[way]
     lesson = shipped_lesson(name)
-    page = open_page("", **how)
+    page = open_page(f"?lesson={name}&language=en", drawn=False, **how)
     code = kind(page, lesson).take()
     assert CODE.match(code)
     expect(page.tab.locator(".class-given button")).to_be_in_viewport()

@@ -29,8 +29,8 @@ BESIDE = """() => {
         ("?scene=figure-4.22", "restitution", [0.3]),
     ],
 )
-def test_it_is_answered_as_the_server_does(open_page, query, name, values):
-    (state, there), (before, after) = moved(open_page(query), name, values, STATE, BESIDE)
+def test_it_is_answered_as_the_server_does(show, query, name, values):
+    (state, there), (before, after) = moved(show(query), name, values, STATE, BESIDE)
     assert before["said"] == after["said"]
     figures_alike(state["figures"], there["figures"], 1e-9)
     figures_alike(before["figures"], after["figures"], 1e-9)

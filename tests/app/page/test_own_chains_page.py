@@ -44,8 +44,8 @@ CHAIN = """() => {
         ("?scene=figure-4.6", "speed", [3.0]),
     ],
 )
-def test_it_is_answered_as_the_server_does(open_page, query, name, values):
-    ((before, after),) = moved(open_page(query), name, values, CHAIN)
+def test_it_is_answered_as_the_server_does(show, query, name, values):
+    ((before, after),) = moved(show(query), name, values, CHAIN)
     assert before["said"] == after["said"]
     exact, there = before["figures"], after["figures"]
     other, beside = exact.pop("other"), there.pop("other")

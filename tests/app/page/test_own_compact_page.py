@@ -48,8 +48,8 @@ STATE = """() => {
         ("?scene=two-balls&law=hunt-crossley", "restitution", [0.4, 1.0]),
     ],
 )
-def test_they_are_answered_as_the_server_does(open_page, query, name, values):
-    ((before, after),) = moved(open_page(query), name, values, STATE)
+def test_they_are_answered_as_the_server_does(show, query, name, values):
+    ((before, after),) = moved(show(query), name, values, STATE)
     assert before["acting"] == after["acting"]
     figures_alike(before["figures"], after["figures"], 1e-11)
     gone = {name for name in after["arrays"] if name.startswith("touch")} if name == "law" else set()

@@ -30,8 +30,8 @@ BESIDE = """() => {
         ("?method=quasi-static", "mass_ratio", [0.4]),
     ],
 )
-def test_it_is_answered_as_the_server_does(open_page, query, name, values):
-    (state, there), (before, after) = moved(open_page(query), name, values, STATE, BESIDE)
+def test_it_is_answered_as_the_server_does(show, query, name, values):
+    (state, there), (before, after) = moved(show(query), name, values, STATE, BESIDE)
     assert before["said"] == after["said"]
     figures_alike(state["figures"], there["figures"], 1e-6 if "law" in query else 1e-11)  # the tolerance of a step
     figures_alike(before["figures"], after["figures"], 1e-9 if "law" in query else 1e-11)  # for as long as waves say

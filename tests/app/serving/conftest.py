@@ -8,6 +8,7 @@ import pytest
 
 SECONDS = 60_000  # ms for a page
 DESK = {"width": 1280, "height": 720}
+POLLING = 0.02  # s between two looks at whether a server is to stop
 PLAIN = "sheets.css"  # of every folder: where no page is
 SHOWN = "() => window.strikewave?.frames > 0"
 
@@ -54,7 +55,7 @@ def served(folder):
     """Address of a server of files."""
     handler = functools.partial(Quiet, directory=folder.parent)
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
+        threading.Thread(target=server.serve_forever, args=(POLLING,), daemon=True).start()
         yield f"http://127.0.0.1:{server.server_address[1]}/{folder.name}"
         server.shutdown()
 

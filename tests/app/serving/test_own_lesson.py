@@ -19,6 +19,7 @@ from tests.app.sentences import sentence
 
 from ...patience import SECONDS
 
+STEPS = 8
 GOAL = 'slider = "mass_ratio"\nrange = [0.5, 9]\nstart = 0.8\ngoal = "contacts = 7"\nnot-yet = "No."\n'
 
 
@@ -176,11 +177,11 @@ def test_scenes_that_take_long_are_given_up_and_the_lesson_is_opened_all_the_sam
 
 @pytest.mark.slow
 def test_the_slowest_scenes_of_several_visitors_hold_up_nobody(server):
-    """20 steps each, every one another impact with a goal that no place meets, hundreds of solves."""
+    """Steps of which every one is another impact with a goal that no place meets, hundreds of solves."""
     fence_ = ':::{{scene}}\nscene = "free-rod"\nchanges = {{ law = "hertz", mass_ratio = {ratio} }}\n:::\n'
     found = "".join(f'[[found]]\nrange = [{k}, {k}.5]\nsay = "Yes."\n' for k in range(1, 9))
     goal = ":::{{set}} goal-{step}\n" + GOAL + found + ":::\n"
-    steps = [f"## Step\n{fence_}{goal}".format(ratio=1.0 + 0.01 * k, step=k) for k in range(20)]
+    steps = [f"## Step\n{fence_}{goal}".format(ratio=1.0 + 0.01 * k, step=k) for k in range(STEPS)]
     content = (HEAD + "".join(steps)).encode()
     assert json.loads(read_own(content, "en")).get("problems") is None
     with ThreadPoolExecutor(3) as pool:

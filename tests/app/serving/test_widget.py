@@ -6,7 +6,7 @@ import pytest
 
 from app.command.main import main
 
-from .conftest import SECONDS
+from .conftest import PLAIN, SECONDS
 
 SRC = "impact/index.html?scene=free-rod&mass_ratio=4"
 WIDGET = """async (values) => {
@@ -42,11 +42,12 @@ def folder(tmp_path_factory) -> Path:
 
 
 @pytest.fixture
-def tab(browser, folder, served):
-    with browser.new_context(reduced_motion="reduce") as context:
-        page = context.new_page()
-        page.goto(served.replace(folder.name, "page.html"))
-        yield page
+def tab(windows, folder, served):
+    options = {"reduced_motion": "reduce"}
+    page = windows.take((1280, 720), options)
+    page.goto(served.replace(folder.name, "page.html"))
+    yield page
+    windows.give(page, f"{served}/{PLAIN}", options)
 
 
 def shown(tab, **values):
@@ -94,12 +95,14 @@ def test_it_goes_with_frame_and_listener(tab):
     assert [frame for frame in tab.frames if "index.html" in frame.url] == []
 
 
-HARMFUL = [(src, f'"{src}"') for src in ("javascript:parent.stolen=1", "data:text/html,x", "JAVASCRIPT:1", "blob:x")]
+HARMFUL = ("javascript:parent.stolen=1", "data:text/html,x", "JAVASCRIPT:1", "blob:x")
+NONE = [(None, "undefined"), ("", '""'), (7, "7"), ("http://", '"http://"'), *((src, f'"{src}"') for src in HARMFUL)]
 
 
-@pytest.mark.parametrize("src, got", [(None, "undefined"), ("", '""'), (7, "7"), ("http://", '"http://"'), *HARMFUL])
-def test_an_address_that_is_none_is_refused_in_one_line(tab, src, got):
-    values = {"error": "Invalid JSON5/JSON supplied."} if src is None else {"src": src}
-    said = tab.evaluate(f"(values) => ({WIDGET})(values).catch(({{ message }}) => message)", values)
-    assert said == f"src: got {got}; allowed: an address of the laboratory, such as Copy link gives"
-    assert tab.locator("#here iframe").count() == 0
+def test_an_address_that_is_none_is_refused_in_one_line(tab):
+    for src, got in NONE:
+        values = {"error": "Invalid JSON5/JSON supplied."} if src is None else {"src": src}
+        said = tab.evaluate(f"(values) => ({WIDGET})(values).catch(({{ message }}) => message)", values)
+        assert said == f"src: got {got}; allowed: an address of the laboratory, such as Copy link gives"
+        assert tab.locator("#here iframe").count() == 0
+        tab.reload()

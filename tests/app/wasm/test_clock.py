@@ -1,5 +1,7 @@
 """How the kernels of browsers ask the clock: often enough that none goes on for long once its time is over."""
 
+from functools import cache
+
 import pytest
 
 from app.wasm.entry import INSTANTS
@@ -15,10 +17,11 @@ from .test_compact import given_of as given_of_compact
 from .test_compact import random_impacts as pressed
 from .test_module import given_of, random_beam, random_march, random_scene, random_time, struck_by
 
-LEFT, LOOKS = 20, 10  # impacts of each kind; times that the longest of these look at the clock, at least
+LEFT, LOOKS = 7, 10  # impacts of each kind; times that the longest of these look at the clock, at least
 INSTANTS_A_LOOK = 64  # at most, of what is drawn; of what takes longer fewer
 
 
+@cache
 def random_impacts() -> Answers:
     """Some of each kind."""
     through, marched = [(random_scene(), random_time()) for _ in range(LEFT)], [random_march() for _ in range(LEFT)]

@@ -21,21 +21,21 @@ from solvers.numerics.waves.drawn import LEAST_JUMP
 from solvers.scenes.library import scene_of
 
 from . import native
-from .answered import FIREFOX, Answers, by_firefox, by_node
+from .answered import FIREFOX, Answers, apart, by_firefox, by_node
 
 SEED = 41
 RANDOM = np.random.default_rng(SEED)
 RATIOS = (1e-3, 0.02, 0.25, 1.0, 4.0, 50.0, 1e3)
 IMPACTS = [
     *((float(beta), side) for beta in RATIOS for side in (1.0, -1.0)),
-    *((float(10.0**power), float(RANDOM.choice([1.0, -1.0]))) for power in RANDOM.uniform(-1.7, 1.7, 386)),
+    *((float(10.0**power), float(RANDOM.choice([1.0, -1.0]))) for power in RANDOM.uniform(-1.7, 1.7, 86)),
 ]
-THROUGH_LAWS, ASKED_SHARE = 1_600, 0.2
-BY_MODES, RIGID_SHARE, STIFF_SHARE = 600, 0.3, 0.3
+THROUGH_LAWS, ASKED_SHARE = 320, 0.2
+BY_MODES, RIGID_SHARE, STIFF_SHARE = 140, 0.3, 0.3
 MODES = (1, 5, 20, 50, 200, 400)
 BEAMS = ("hammer-on-cantilever", "timoshenko-1913-short", "timoshenko-1913-long", "xylophone-bar", "xylophone-bar-node")
 MOST_ATTACHED = 100
-ACROSS, BEAM_MODES, FEW_CONTACTS = 300, (1, 5, 10, 30), 6
+ACROSS, BEAM_MODES, FEW_CONTACTS = 80, (1, 5, 10, 30), 6
 BETWEEN = 1e-3  # of the largest value: what straight lines between other instants differ by
 NEARLY_FULL = 0.75  # of what there is room for: where rounding makes contacts, either may find some more of them
 DRAWN_TOO = 40  # of them, the histories as well: they are long
@@ -250,7 +250,7 @@ def _equal(
         there = native.rod(beta, side)
         assert there is not None and here, (beta, side)  # nothing is beyond it at any mass ratio
         for name, values in there.items():
-            assert not _apart(here[name], values, 1e-12, 1e-13), (beta, side, name)
+            assert not apart(here[name], values, 1e-12, 1e-13), (beta, side, name)
     for (scene, asked), here in zip(through, by_laws, strict=True):
         there = native.law(scene, asked)
         if not here:  # the same are refused, but for those that fill the room: rounding halves a step more or less
@@ -263,21 +263,11 @@ def _equal(
                 assert np.abs(curve - known).max() < BETWEEN * np.abs(known).max(), (impact_of(scene), asked, name)
         for name in here.keys() - {"force_time", "wave_time", "force", "wave"}:
             close, given = 1e-8 if name == "out" and not scene.contact.LOSSY else 1e-6, (impact_of(scene), asked, name)
-            assert not _apart(here[name], there[name], close, close), given
+            assert not apart(here[name], there[name], close, close), given
     for impact, here in zip(marched, by_modes, strict=True):
         _equal_by_modes(impact, here)
     for (scene, modes), here in zip(beams, across, strict=True):
         _equal_across(scene, modes, here)
-
-
-def _apart(found: Sequence[float | None], known: Sequence[float] | np.ndarray, rel: float, close: float) -> list:
-    """Places and values that differ, as `pytest.approx` has it, which takes long over so many."""
-    here, there = np.array(found, float), np.asarray(known)  # None, as JSON has it, is NaN
-    assert here.shape == there.shape
-    with np.errstate(invalid="ignore"):
-        near = np.abs(here - there) <= np.maximum(rel * np.abs(there), close)
-    near |= (here == there) | (np.isnan(here) & np.isnan(there))
-    return [(int(place), here[place], there[place]) for place in np.flatnonzero(~near)]
 
 
 def _equal_across(scene: Scene, modes: int, here: dict) -> None:
@@ -303,7 +293,7 @@ def _equal_across(scene: Scene, modes: int, here: dict) -> None:
     paths = {"impactor": motion.impactor_position(times), "face": motion.end_position(times)}
     rates = {"impactorRate": motion.impactor_velocity(times), "struckRate": struck_velocity(found, times)}
     for name, known in (paths | rates).items():
-        assert not _apart(here[name], known / speed, 0.0, close * np.abs(known).max() / speed), (name, given)
+        assert not apart(here[name], known / speed, 0.0, close * np.abs(known).max() / speed), (name, given)
     energies, unit = found.energy, speed**2
     known = {
         "final": found.impactor_velocity / speed,
@@ -336,8 +326,8 @@ def _equal_by_modes(impact: Marched, here: dict) -> None:
     pressed = motion.record.contact_force
     assert np.abs(np.array(here["force"]) * force - pressed).max() < 1e-6 * pressed.max(), given
     times = np.linspace(0.0, found.duration, INSTANTS)
-    assert not _apart(here["mass"], motion.impactor_position(times) / length, 0.0, close), given
-    assert not _apart(here["end"], motion.end_position(times) / length, 0.0, close), given
+    assert not apart(here["mass"], motion.impactor_position(times) / length, 0.0, close), given
+    assert not apart(here["end"], motion.end_position(times) / length, 0.0, close), given
     rows = [[c.start / trip, c.end / trip, c.impulse / force / trip, c.peak_force / force] for c in found.contacts]
     assert np.array(here["contacts"])[:, :4] == pytest.approx(np.array(rows), rel=close, abs=close), given
     diagnostics, energies, rebounds = found.diagnostics, found.energy, found.restitution
