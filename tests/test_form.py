@@ -1,6 +1,7 @@
 """One form for all sources: ruff's rules and layout, and pyright's types, as pyproject.toml sets them, and lengths."""
 
 import ast
+import os
 import re
 import subprocess
 import sys
@@ -109,5 +110,6 @@ def test_words_are_those_of_an_engineer():
 @pytest.mark.slow
 def test_types():
     call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable]
-    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=SECONDS)
+    room = os.environ | {"NODE_OPTIONS": "--max-semi-space-size=64"}  # for what is young: a sixth of the time
+    done = subprocess.run(call, cwd=ROOT, env=room, capture_output=True, text=True, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr
