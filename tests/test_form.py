@@ -63,7 +63,7 @@ def test_no_class_answers_by_getattr():
     found = [
         (path.relative_to(ROOT), each.name)
         for path in SOURCES
-        if path.suffix == ".py"
+        if path.suffix == ".py" and "__getattr" in path.read_text()
         for each in ast.walk(ast.parse(path.read_text()))
         if isinstance(each, ast.FunctionDef) and each.name in ("__getattr__", "__getattribute__")
     ]
@@ -75,6 +75,7 @@ def test_tests_of_the_page_have_hands():
     found = [
         f"{path.relative_to(ROOT)}:{each.lineno}"
         for path in sorted((ROOT / "tests/app").rglob("*.py"))
+        if "fill" in path.read_text()
         for each in ast.walk(ast.parse(path.read_text()))
         if isinstance(each, ast.Call) and isinstance(each.func, ast.Attribute) and each.func.attr == "fill"
         if not (isinstance(each.func.value, ast.Name) and each.func.value.id == "np")

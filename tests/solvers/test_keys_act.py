@@ -96,7 +96,7 @@ CASES = [  # every two of a body, the other and a law; and all bodies that are q
     for second, other in enumerate(TARGETS)
     for slow in [bool({one, other} & SLOW_KINDS)]
     for turn, law in enumerate(LAWS)
-    if (first + second) % len(LAWS) == turn or law == "hertz" and not slow
+    if (first + second) % len(LAWS) == turn or (law == "hertz" and not slow)
 ]
 
 
