@@ -105,7 +105,7 @@ def _browser(address: str, process: int) -> list:
         moves = of(MOVES, 8)
         for name, (query, (half, most)) in some(CASES).items():
             page = Page(browser, address, query)
-            page.tab.wait_for_timeout(500)
+            page.tab.wait_for_timeout(of(500, 50))
             received = page.frames["bytes"]
             times = sorted(page.evaluate(LATENCY, moves))
             rows.append(row(f"slider to redrawn picture, {name}: p50", statistics.median(times), "ms", f"<= {half}"))
@@ -131,7 +131,7 @@ def _drag(page: Page, process: int, name: str) -> list:
     """Pictures a second while a slider is dragged that the browser answers, and what that costs the server."""
     page.wait("() => strikewave.page.own.answers !== null")
     seconds = of(DRAG_SECONDS, 0.5)
-    page.evaluate(DRAG, 0.5)
+    page.evaluate(DRAG, of(0.5, 0.1))
     page.quiet()
     before = _processor_time(_tree(process))
     pictures = page.evaluate(DRAG, seconds)
@@ -149,7 +149,7 @@ async def _answers(address: str, process: int) -> list:
     rows, drags, batches = [], of(ANSWER_MOVES, 4), of(ANSWER_BATCHES, 1)
     for name, (query, target) in some(ANSWERS).items():
         client = await SocketClient(address).open(query)
-        await client.changes(2.0)  # the scene itself: who sends before that is answered is slowed
+        await client.changes(of(2.0, 0.5))  # the scene itself: who sends before that is answered is slowed
         used, moves = [], count()  # none twice: answers are kept
         for _ in range(batches + 1):  # the first does not count
             before = _processor_time(_tree(process))

@@ -38,7 +38,7 @@ async def honest(address: str, seconds: float, query: str = "", period: float = 
     """Times [s] until each change was answered, None where a newer one was made first."""
     client = await SocketClient(address).open(query)
     await client.fetch()
-    await client.changes(1.0)
+    await client.changes(of(1.0, 0.3))
     found: list[float | None] = []
     await asyncio.sleep(random.random() * period)
     end = time.monotonic() + seconds
@@ -95,7 +95,7 @@ def crowd(address: str, kind: str, count: int) -> Iterator[None]:
         return
     others = subprocess.Popen([sys.executable, "-m", __name__, address, kind, str(count)])
     try:
-        time.sleep(of(4.0, 2.0))
+        time.sleep(of(4.0, 1.5))
         yield
     finally:
         others.kill()

@@ -118,7 +118,7 @@ def _drags(browser, address: str) -> list:
     rows = []
     for scene, target in some(DRAGGED).items():
         page = Page(browser, address, f"?scene={scene}")
-        page.tab.wait_for_timeout(500)
+        page.tab.wait_for_timeout(of(500, 50))
         page.evaluate(DRAG, of(1.0, 0.2))  # the first does not count
         rows.append(row(f"answers while dragging, {scene}", page.evaluate(DRAG, of(4.0, 0.5)), "/s", f">= {target}"))
         page.context.close()

@@ -14,6 +14,7 @@ ODD = " 1a_.,(["  # what is repeated everywhere, beside what a pattern names its
 ENDS = ("", "!", "\n!")
 SEARCHES = {"search", "sub", "split", "findall", "finditer"}  # which begin anew at each letter
 METHODS = {"compile", "fullmatch", "match"} | SEARCHES
+IMPORTED = re.compile(r"\bimport\b.*\bre\b")  # without which no pattern is made
 COLLECT = """
 import { readFileSync } from 'node:fs';
 import { parse } from 'acorn';
@@ -45,6 +46,8 @@ def of_python() -> Iterator[tuple[str, re.Pattern, bool]]:
     """Where each stands, compiled, and whether it is searched for; one that is only known while running is an error."""
     for file in sorted([*ROOT.glob("solvers/**/*.py"), *ROOT.glob("app/**/*.py")]):
         name, text = file.relative_to(ROOT), file.read_text("utf-8")
+        if not IMPORTED.search(text):
+            continue
         tree = ast.parse(text)
         names = {
             id(node.value): node.targets[0].id

@@ -1,6 +1,7 @@
 """One form for all sources: ruff's rules and layout, and pyright's types, as pyproject.toml sets them, and lengths."""
 
 import ast
+import os
 import re
 import subprocess
 import sys
@@ -62,7 +63,7 @@ def test_no_class_answers_by_getattr():
     found = [
         (path.relative_to(ROOT), each.name)
         for path in SOURCES
-        if path.suffix == ".py"
+        if path.suffix == ".py" and "__getattr" in path.read_text()
         for each in ast.walk(ast.parse(path.read_text()))
         if isinstance(each, ast.FunctionDef) and each.name in ("__getattr__", "__getattribute__")
     ]
@@ -74,6 +75,7 @@ def test_tests_of_the_page_have_hands():
     found = [
         f"{path.relative_to(ROOT)}:{each.lineno}"
         for path in sorted((ROOT / "tests/app").rglob("*.py"))
+        if "fill" in path.read_text()
         for each in ast.walk(ast.parse(path.read_text()))
         if isinstance(each, ast.Call) and isinstance(each.func, ast.Attribute) and each.func.attr == "fill"
         if not (isinstance(each.func.value, ast.Name) and each.func.value.id == "np")
@@ -109,5 +111,6 @@ def test_words_are_those_of_an_engineer():
 @pytest.mark.slow
 def test_types():
     call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable]
-    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=SECONDS)
+    room = os.environ | {"NODE_OPTIONS": "--max-semi-space-size=64"}  # for what is young: a sixth of the time
+    done = subprocess.run(call, cwd=ROOT, env=room, capture_output=True, text=True, timeout=SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr

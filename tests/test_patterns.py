@@ -51,7 +51,13 @@ def slowest(match, texts, length, most):
     return [text for _, text in sorted(taken, reverse=True)[:SLOWEST]]
 
 
-@pytest.mark.parametrize("pattern, searched", [pytest.param(*each, id=where) for where, *each in of_python()])
+PATTERNS = [
+    pytest.param(*each, id=where, marks=[pytest.mark.slow] * where.startswith("solvers/jit/cache.py"))
+    for where, *each in of_python()
+]
+
+
+@pytest.mark.parametrize("pattern, searched", PATTERNS)
 def test_no_pattern_of_the_library_or_the_server_takes_long(pattern, searched):
     feed(pattern, searched, MOST)
 

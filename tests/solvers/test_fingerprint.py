@@ -94,6 +94,7 @@ def test_what_a_table_keeps_says_which_methods_have_changed_since():
     assert changed(None) == list(METHODS)
 
 
+@pytest.mark.slow
 def test_another_process_finds_the_same_and_a_third_reads_it(tmp_path):
     code = "from solvers.accuracy.measured_code import code_now; print(code_now())"
     for _ in range(2):

@@ -90,11 +90,13 @@ def spread(found: dict[str, np.ndarray]) -> dict[str, float]:
 
 
 SLOW_KINDS = {"beam", "cantilever", "free beam"}
-CASES = [
-    pytest.param(one, other, law, marks=[pytest.mark.slow] if {one, other} & SLOW_KINDS or law != "hertz" else [])
-    for one in IMPACTORS
-    for other in TARGETS
-    for law in LAWS
+CASES = [  # every two of a body, the other and a law; and all bodies that are quick with the law that is
+    pytest.param(one, other, law, marks=[pytest.mark.slow] if slow or law != "hertz" else [])
+    for first, one in enumerate(IMPACTORS)
+    for second, other in enumerate(TARGETS)
+    for slow in [bool({one, other} & SLOW_KINDS)]
+    for turn, law in enumerate(LAWS)
+    if (first + second) % len(LAWS) == turn or (law == "hertz" and not slow)
 ]
 
 

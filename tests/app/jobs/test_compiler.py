@@ -62,6 +62,7 @@ def test_if_the_process_dies_nobody_waits_and_the_next_one_is_served(compiler):
     assert compiler._process.poll() is None
 
 
+@pytest.mark.slow
 def test_it_ends_when_nothing_is_asked_and_is_started_again(compiler, monkeypatch):
     """It kept 638 MB for ever."""
     monkeypatch.setattr(compiler_module, "IDLE_SECONDS", 0.5)

@@ -240,15 +240,16 @@ def test_work_that_is_to_end_is_not_begun_again():
 
 
 @pytest.mark.parametrize("level", [QUICK, LONG])
-def test_work_of_processes_that_are_stopped_is_done_by_another(level, caplog):
+def test_work_of_processes_that_are_stopped_is_done_by_another(level, monkeypatch, caplog):
     """It waited for minutes: what is stopped uses up no computing time."""
+    monkeypatch.setattr("app.jobs.workers.STILL_SECONDS", 1.0)
 
     async def test(workers):
-        job = workers.start(works.compute, 1.0, level=level)
+        job = workers.start(works.compute, 0.5, level=level)
         await begun(job)
         for worker in workers._workers:  # also what has nothing to do yet
             os.kill(worker._process.pid, signal.SIGSTOP)
-        assert await asyncio.wait_for(job.answer, 90.0) == 1.0
+        assert await asyncio.wait_for(job.answer, 90.0) == 0.5
 
     with caplog.at_level(logging.ERROR):
         with_workers(test)

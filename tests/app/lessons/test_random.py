@@ -2,6 +2,7 @@
 
 import json
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -94,6 +95,7 @@ def test_markup_is_text(text):
     assert kinds(paragraphs(markdown().parse(text), Problems())) <= NODES
 
 
+@pytest.mark.slow
 def test_deep_and_long_texts_take_no_long():
     for text in (
         "*" * 100_000,

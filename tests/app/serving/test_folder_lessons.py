@@ -27,6 +27,7 @@ def said(tab) -> str:
     return tab.locator(".toast").inner_text().replace("\u00a0", " ")
 
 
+@pytest.mark.slow
 def test_it_is_small_and_says_how_many_it_has(folder, capsys):
     assert sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) <= MOST
     assert main(["export-static", str(folder), "--lessons"]) == 0

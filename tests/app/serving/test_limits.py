@@ -104,6 +104,7 @@ def test_who_comes_after_a_flood_from_his_address_gets_in(server):
     run(attack(), 200)
 
 
+@pytest.mark.slow
 def test_a_fetched_page_solves_nothing_and_makes_no_document(started):
     async def fetch():
         client, meter = AsyncHTTPClient(), Meter(started)

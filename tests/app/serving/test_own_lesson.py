@@ -159,7 +159,12 @@ HUGE = {
 }
 
 
-@pytest.mark.parametrize("text", HUGE.values(), ids=HUGE)
+SLOWEST = "stars", "brackets", "emphasis"
+
+
+@pytest.mark.parametrize(
+    "text", [pytest.param(HUGE[name], id=name, marks=[pytest.mark.slow] * (name in SLOWEST)) for name in HUGE]
+)
 def test_a_huge_text_takes_seconds_at_most(text):
     content = (HEAD + "## Step\n" + text).encode()
     assert len(content) <= LARGEST

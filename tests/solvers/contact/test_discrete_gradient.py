@@ -26,6 +26,7 @@ def all_answers(law, indentation, rate, deepest, start, free, compliance):
 
 @pytest.mark.slow
 @each_unit_law
+@settings(max_examples=40)
 @given(
     indentation=st.floats(-1.0, 60.0),
     rate=st.floats(-3.0, 3.0),
@@ -50,7 +51,7 @@ def test_compiled_laws_answer_like_plain_python(law, indentation, rate, deepest,
 
 @pytest.mark.slow
 @each_unit_law
-@settings(max_examples=300)
+@settings(max_examples=100)
 @given(
     start=st.one_of(
         st.just(0.0), st.floats(-10.0, 2.0).map(lambda p: -(10.0**p)), st.floats(-10.0, 2.0).map(lambda p: 10.0**p)

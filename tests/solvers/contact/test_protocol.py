@@ -59,6 +59,7 @@ def test_forces_as_printed():
 
 @pytest.mark.slow
 @each_law
+@settings(max_examples=40)
 @given(indentation=DEPTHS, rate=st.floats(-2.0, 2.0), deepest=DEPTHS)
 def test_slopes_are_derivatives_of_the_force(law, indentation, rate, deepest):
     h = 1e-5  # central differences: h^2 / 24 of the third derivative, which is below 1 in these units, and EPS / h
@@ -103,6 +104,7 @@ def test_continuous_across_branches(law, deepest):
 
 @pytest.mark.slow
 @each_law
+@settings(max_examples=40)
 @given(length=SCALES, speed=SCALES, force=SCALES, indentation=DEPTHS, rate=st.floats(-1.0, 1.0), deepest=DEPTHS)
 def test_a_scaled_law_is_the_same_law_in_other_units(law, length, speed, force, indentation, rate, deepest):
     scaled = law.scaled(length, speed, force)
@@ -139,7 +141,7 @@ def mean_by_quadrature(law, start, end, rate, deepest):
 
 @pytest.mark.slow
 @each_unit_law
-@settings(max_examples=200)
+@settings(max_examples=60)
 @given(
     start=st.floats(-3.0, 60.0),
     travel=st.one_of(st.floats(0.1, 60.0), st.floats(-60.0, -0.1)),

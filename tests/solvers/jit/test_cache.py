@@ -1,12 +1,14 @@
 """Kernels in the cache, damaged or not, and who must not compile one."""
 
 import os
+import pickle
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 from types import ModuleType
 
+import numba
 import pytest
 
 from solvers.jit import cache as kept
@@ -14,32 +16,6 @@ from solvers.jit import cache as kept
 from ...patience import SECONDS
 
 ROOT = Path(__file__).parents[3]
-TRY = """
-import numpy as np
-from solvers.jit.compiling import NotCompiled, compiled_only
-from solvers.numerics.multibody.moving import arm_of
-
-def found():
-    return arm_of(np.zeros(3), 0, np.array([7.0, 2.0]))[0]
-
-try:
-    with compiled_only():
-        print(found())
-except NotCompiled as wanted:
-    print(wanted)
-    print(found())
-"""
-
-
-@pytest.mark.slow
-def test_a_kernel_is_refused_until_it_is_in_the_cache(tmp_path):
-    def answers() -> list[str]:
-        call = [sys.executable, "-c", TRY]
-        where = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
-        return subprocess.run(call, cwd=ROOT, env=where, capture_output=True, text=True, check=True).stdout.split()
-
-    assert answers() == ["arm_of", "7.0"]
-    assert answers() == ["7.0"]
 
 
 @pytest.mark.parametrize(
@@ -94,11 +70,39 @@ def key_changes(tmp_path, monkeypatch, kernels: str, changed: str, again: bool) 
 
 # --- a cache that is damaged, full or cannot be written ---------------------------------------------------------------
 
-FOUND = """
+CALLS = """
 import numpy as np
+from solvers.jit.cache import _KernelFile
+from solvers.jit.compiling import NotCompiled, compiled_only
 from solvers.numerics.multibody.moving import arm_of
-print(arm_of(np.zeros(3), 0, np.array([7.0, 2.0]))[0])
+from solvers.numerics.parting import backwards, reach, swing_and_give
+from solvers.numerics.single_degree import SAMPLES, spread
+one = np.ones(1)
+calls = (
+    (arm_of, (np.zeros(3), 0, np.array([7.0, 2.0]))),
+    (reach, (2.0, 4.0)),
+    (backwards, (2.0, 0.0, 1.0, np.inf)),
+    (swing_and_give, (one, one, 1.0, 1.0)),
+    (spread, (1.0, 2.0, np.zeros(SAMPLES + 3))),
+)
+
+def found():
+    for kernel, given in calls{some}:
+        _KernelFile._told.clear()
+        print(kernel(*given))
+
 """
+TRY = """
+try:
+    with compiled_only():
+        found()
+except NotCompiled as wanted:
+    print(wanted)
+    found()
+"""
+ONE, SEVERAL = CALLS.format(some="[:1]"), CALLS.format(some="")
+FOUND = "found()\n"
+ANSWER = ["(7.0,", "2.0)"]  # of the first
 
 
 def ran(code: str, cache: Path, **more: str) -> subprocess.CompletedProcess:
@@ -111,11 +115,25 @@ def ran(code: str, cache: Path, **more: str) -> subprocess.CompletedProcess:
 
 
 @pytest.fixture(scope="module")
-def filled(tmp_path_factory):
-    """A cache with the kernels of a call."""
+def first(tmp_path_factory):
+    """A cache that was empty, and what was found there."""
     cache = tmp_path_factory.mktemp("filled")
-    assert ran(FOUND, cache).stderr == ""
-    return cache
+    done = ran(SEVERAL + TRY, cache)
+    assert done.stderr == ""
+    return cache, done.stdout.splitlines()
+
+
+@pytest.fixture(scope="module")
+def filled(first):
+    """A cache with the kernels of some calls."""
+    return first[0]
+
+
+@pytest.mark.slow
+def test_a_kernel_is_refused_until_it_is_in_the_cache(first):
+    cache, (refused, *answers) = first
+    assert refused == "arm_of" and len(answers) == len(DAMAGES)
+    assert ran(SEVERAL + TRY, cache).stdout.splitlines() == answers
 
 
 def cut(path: Path) -> None:
@@ -128,26 +146,29 @@ def flipped(path: Path) -> None:
     path.write_bytes(content)
 
 
+DAMAGES = {  # of a kernel each: in which of its files, and how
+    "arm_of": ("nbi", lambda path: path.write_bytes(b"garbage")),
+    "reach": ("nbi", cut),
+    "backwards": ("nbc", lambda path: path.write_bytes(b"")),
+    "swing_and_give": ("nbc", cut),
+    "spread": ("nbc", flipped),
+}
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "ending, damage",
-    [
-        ("nbi", lambda path: path.write_bytes(b"garbage")),
-        ("nbi", cut),
-        ("nbc", lambda path: path.write_bytes(b"")),
-        ("nbc", cut),
-        ("nbc", flipped),
-    ],
-    ids=["index of garbage", "index cut", "kernel empty", "kernel cut", "kernel changed"],
-)
-def test_a_damaged_kernel_is_put_aside_with_one_line_and_compiled_again(tmp_path, filled, ending, damage):
-    shutil.copytree(filled, tmp_path, dirs_exist_ok=True)
-    for path in tmp_path.rglob(f"*.{ending}"):
+def test_a_damaged_kernel_is_put_aside_with_one_line_and_compiled_again(tmp_path, first):
+    cache, (_, *answers) = first
+    shutil.copytree(cache, tmp_path, dirs_exist_ok=True)
+    for kernel, (ending, damage) in DAMAGES.items():
+        (path,) = tmp_path.rglob(f"*.{kernel}-*.{ending}")
         damage(path)
-    found = ran(FOUND, tmp_path)
-    assert found.stdout.split() == ["7.0"]
-    assert found.stderr.count("\n") == 1 and "put aside" in found.stderr
-    assert ran(TRY, tmp_path).stdout.split() == ["7.0"]  # and it is in the cache again
+    found = ran(SEVERAL + FOUND, tmp_path)
+    assert found.stdout.splitlines() == answers
+    lines = found.stderr.splitlines()
+    assert len(lines) == len(DAMAGES) and all("put aside" in line for line in lines)
+    assert len(list(tmp_path.rglob("*.damaged"))) == len(DAMAGES)
+    again = ran(SEVERAL + TRY, tmp_path)  # they are in the cache again
+    assert (again.stdout.splitlines(), again.stderr) == (answers, "")
 
 
 @pytest.fixture
@@ -186,7 +207,9 @@ from pathlib import Path
 def refuse(*given, **more):
     raise OSError(28, "No space left on device")
 tempfile.TemporaryFile = refuse
-{more}
+own = jit._usable(Path({cache!r}))
+print(own, len(list(own.rglob("*.nbc"))))
+tempfile.mkdtemp = refuse
 print(jit._usable(Path({cache!r})))
 """
 
@@ -196,14 +219,12 @@ def test_a_full_disk_is_seen_before_anything_is_kept_there(tmp_path, filled):
     """What is in the cache is taken along to where there is room; if there is none, it is read where it is."""
     shutil.copytree(filled, tmp_path, dirs_exist_ok=True)
     kept = len(list(tmp_path.rglob("*.nbc")))
-    counted = "\nprint(len(list(Path(jit._usable(Path({cache!r}))).rglob('*.nbc'))))"
-    found = ran((NOWHERE + counted).format(more="", cache=str(tmp_path)), tmp_path / "other")
-    elsewhere, number = found.stdout.split()
+    found = ran(NOWHERE.format(cache=str(tmp_path)), tmp_path / "other")
+    elsewhere, number, nowhere = found.stdout.split()
     assert elsewhere != str(tmp_path) and int(number) == kept
     assert "No space left" in found.stderr
     assert not Path(elsewhere).exists()  # nor is anything left behind
-    nowhere = NOWHERE.format(more="tempfile.mkdtemp = refuse", cache=str(tmp_path))
-    assert ran(nowhere, tmp_path / "other").stdout.split() == [str(tmp_path)]
+    assert nowhere == str(tmp_path)
 
 
 def test_what_is_copied_of_a_cache_that_may_only_be_read_can_be_written(tmp_path, filled, monkeypatch, caplog):
@@ -236,8 +257,8 @@ cache._KernelFile._save_index = refuse
 
 @pytest.mark.slow
 def test_a_kernel_that_cannot_be_kept_is_used_all_the_same(tmp_path):
-    found = ran(FULL + FOUND, tmp_path)
-    assert found.stdout.split() == ["7.0"]
+    found = ran(FULL + ONE + FOUND, tmp_path)
+    assert found.stdout.split() == ANSWER
     assert found.stderr.count("\n") == 1 and "cannot be kept" in found.stderr
 
 
@@ -249,25 +270,27 @@ def test_kernels_of_another_processor_are_compiled_again_with_one_line(tmp_path,
     """Also what a wheel or an image brings to a processor without AVX2. Both are kept, side by side."""
     shutil.copytree(filled, tmp_path, dirs_exist_ok=True)
     older = {"NUMBA_CPU_NAME": "generic"}
-    found = ran(FOUND, tmp_path, **older)
-    assert found.stdout.split() == ["7.0"]
+    found = ran(ONE + FOUND, tmp_path, **older)
+    assert found.stdout.split() == ANSWER
     assert found.stderr.count("\n") == 1 and "another processor" in found.stderr
     for more in (older, {}):
-        again = ran(TRY, tmp_path, **more)
-        assert (again.stdout.split(), again.stderr) == (["7.0"], "")
-
-
-OLDER = "import numba\nnumba.__version__ = '0.60.0'\n"
+        again = ran(ONE + TRY, tmp_path, **more)
+        assert (again.stdout.split(), again.stderr) == (ANSWER, "")
 
 
 @pytest.mark.slow
-def test_kernels_of_another_numba_are_compiled_again_with_one_line(tmp_path):
-    ran(OLDER + FOUND, tmp_path)
-    found = ran(FOUND, tmp_path)
-    assert found.stdout.split() == ["7.0"]
+def test_kernels_of_another_numba_are_compiled_again_with_one_line(tmp_path, filled):
+    shutil.copytree(filled, tmp_path, dirs_exist_ok=True)
+    own, older = (pickle.dumps(version, protocol=-1) for version in (numba.__version__, "0.60.0"))
+    for index in tmp_path.rglob("*.nbi"):
+        content = index.read_bytes()
+        assert content.startswith(own)
+        index.write_bytes(older + content.removeprefix(own))
+    found = ran(ONE + FOUND, tmp_path)
+    assert found.stdout.split() == ANSWER
     assert found.stderr.count("\n") == 1 and "0.60.0" in found.stderr
-    again = ran(TRY, tmp_path)
-    assert (again.stdout.split(), again.stderr) == (["7.0"], "")
+    again = ran(ONE + TRY, tmp_path)
+    assert (again.stdout.split(), again.stderr) == (ANSWER, "")
 
 
 def test_what_is_compiled_for_one_processor_is_not_taken_to_be_for_another(monkeypatch):

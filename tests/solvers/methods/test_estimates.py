@@ -14,19 +14,23 @@ from tests.random_estimates import FIRST, KINDS, NOTHING, Rated, rated, shares
 
 BEYOND = FIRST + 10_000  # seeds that the benchmark does not use
 SCENES = 12  # of each kind
-FEW = {"multibody of moving mechanisms": 4}  # 10 s of computing for each
+FEW = 5  # of those of which some take a second of computing or more
+COSTLY = "chains", "wide chains", "mechanisms"
+MOVING = range(BEYOND + 1, BEYOND + 4)  # of mechanisms that move; the one before them takes 10 s by itself
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_true_errors_are_within_the_estimates_and_estimates_near_the_errors(kind):
     """A share of `bench --only estimates`, with room for the scatter of so few: one or two of them may miss."""
-    count = FEW.get(kind, SCENES)
-    seen = shares(list(rated(kind, range(BEYOND, BEYOND + count))))
-    assert seen["impacts"] >= count - 2 and seen["unknown"] < 0.5
+    few = kind.partition(" of ")[2] in COSTLY
+    seeds = MOVING if "moving" in kind else range(BEYOND, BEYOND + (FEW if few else SCENES))
+    count = len(seeds)
+    seen = shares(list(rated(kind, seeds)))
+    assert seen["impacts"] >= count - count // 6 and seen["unknown"] < 0.5
     beyond, far_beyond = ((1.0 - seen[name]) * seen["compared"] for name in ("within", "within 3"))
     assert beyond < 0.2 * count + 0.5 and far_beyond < 0.1 * count + 0.5
-    assert seen["not beyond 5"] * seen["compared"] >= 0.4 * seen["compared"] - 1.5
+    assert seen["not beyond 5"] * seen["compared"] >= 0.4 * seen["compared"] - (1.5 if count == SCENES else 0.5)
 
 
 def test_small_errors_are_left_out_of_the_shares():
@@ -116,7 +120,7 @@ def test_no_estimate_is_far_too_large_on_the_default_scene(method, count):
     assert true <= max(estimate, NOTHING) and estimate <= 5.0 * max(true, NOTHING)
 
 
-@pytest.mark.parametrize("count", [50, 100, 150])
+@pytest.mark.parametrize("count", [50, 100, pytest.param(150, marks=pytest.mark.slow)])
 def test_no_estimate_of_many_balances_is_far_too_large(count):
     """They are chaotic: the error of one number of elements hangs on the processor, the largest of five does not."""
     near = range(count - 2, count + 3)

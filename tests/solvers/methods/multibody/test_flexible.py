@@ -76,6 +76,7 @@ def lying(**bar):
     return Scene.from_table({"impactor": {"mass": 1e-8, "velocity": 1e-3}, "target": target})
 
 
+@pytest.mark.slow
 def test_it_starts_bent_by_its_weight():
     """By w L^4 / 8 E I at the tip, but for the modes left out; and the joint carries it, steadily."""
     scene = lying()
@@ -111,7 +112,9 @@ def test_a_ball_comes_to_rest_on_a_bar_that_bends():
     assert found.energy["dissipated"] > 0.0 and abs(found.diagnostics["energy_error"]) < 1e-8
 
 
-@pytest.mark.parametrize(("young", "severity"), [(1e9, Severity.WARNING), (1e4, Severity.INVALID)])
+@pytest.mark.parametrize(
+    ("young", "severity"), [(1e9, Severity.WARNING), pytest.param(1e4, Severity.INVALID, marks=pytest.mark.slow)]
+)
 def test_links_that_bend_too_far_are_named(young, severity):
     scene = lying(material={"young": young, "density": 7900.0}).replace({"impactor.mass": 0.1})
     notes = {note.code: note.severity for note in Multibody().solve(scene, 0.01).notes}
