@@ -89,8 +89,11 @@ def _springs_left_out(scene: Scene, motion: SampledMotion, contact: ContactPerio
         slow = body.time_unit if isinstance(body, Bending) else SLOW_ROUND_TRIPS * body.round_trip_time
         if contact.end < slow or share <= NEGLIGIBLE_ENERGY:
             continue
-        code = "spring-left-out" if held else "yielding-left-out"
-        notes.append(Note(code, Severity.WARNING, body=body.kind, side=name, share=min(share, 1.0)))
+        share = min(share, 1.0)
+        if held:
+            notes.append(Note("spring-left-out", Severity.WARNING, body=body.kind, share=share))
+        else:
+            notes.append(Note("yielding-left-out", Severity.WARNING, body=body.kind, side=name, share=share))
     return notes
 
 
