@@ -1,5 +1,7 @@
 """What a visitor has chosen: bounded values, no widget. The same bounds guard sliders, address and socket."""
 
+from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Any, ClassVar
 
 import param
@@ -21,20 +23,43 @@ from .bodies import BodyValues, read_values
 from .facts import facts_of
 from .own import is_own, own_scene
 
-# in one language, as a server speaks to visitors of several
-_LOADED = {name: built_in(name, SOURCE) for name in solvers.scene_names()}
+@cache
+def _loaded(name: str) -> Scene:
+    """In one language, as a server speaks to visitors of several."""
+    return built_in(name, SOURCE)
 
 
-class Scenes(dict[str, Scene]):
-    """Built-in scenes by name, those of visitors by their text; a mechanism is shown as what is struck."""
+@cache
+def _struck(name: str) -> Scene:
+    return _loaded(name).struck
 
-    def __missing__(self, name: str) -> Scene:
+
+class Scenes(Mapping[str, Scene]):
+    """Built-in scenes by name, each read when it is first asked for, those of visitors by their text; a mechanism is
+    shown as what is struck.
+    """
+
+    def __init__(self) -> None:
+        self._names = dict.fromkeys(solvers.scene_names())
+
+    def __getitem__(self, name: str) -> Scene:
+        if name in self._names:
+            return _struck(name)
         if is_own(name):
             return own_scene(name).struck
         raise KeyError(name)
 
+    def __contains__(self, name: object) -> bool:
+        return name in self._names
 
-SCENES = Scenes({name: scene.struck for name, scene in _LOADED.items()})
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+
+SCENES = Scenes()
 START = next(iter(SCENES))
 LINKS = "flexible", "rigid"
 SOLVED_BY: dict[str, type[Method]] = {**METHODS, Multibody.NAME: Multibody}  # one for mechanisms only
@@ -43,7 +68,7 @@ OF_LAWS = {name: values for law in LAWS.values() for name, values in law.VARIED.
 
 def strikes(name: str) -> bool:
     """Whether it is the mechanism that strikes in this scene."""
-    scene = own_scene(name) if is_own(name) else _LOADED[name]
+    scene = own_scene(name) if is_own(name) else _loaded(name)
     return scene.struck is not scene
 
 

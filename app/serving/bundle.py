@@ -9,6 +9,7 @@ types within a line, indents, and comments at the ends of lines.
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 from pathlib import Path, PurePosixPath
 
 IMPORT = re.compile(r"^import (?:\{([^}]*)\}|\* as (\w+)) from '([^']+)';\n", re.MULTILINE)
@@ -19,6 +20,7 @@ CAST = re.compile(r"/\*\* @\w+ [^*]*\*/ ?")  # of a type, within a line
 TRAILING = re.compile(r"[ \t]+// [^'\"`\n]*$", re.MULTILINE)  # a comment, as nothing that is quoted ends behind it
 ENDED = re.compile(r"^((?:(?!//).)*[;,{(])\n", re.MULTILINE)  # a line that another may follow, as no comment is in it
 INDENT = re.compile(r"^\s+", re.MULTILINE)  # and empty lines
+MODULES = 1000  # kept, as several bundles begin with the same ones
 APART = re.compile(r"\bimport\(new URL\(")  # of what is fetched when it is asked for, with a bundle of its own
 ADDRESS = "ADDRESS_OF_ALL"  # stands for that of the folder of all modules
 OTHER = re.compile(r"^(?:import|export)\b(?! \{\};).*|\bimport\([^)]", re.MULTILINE)
@@ -84,6 +86,7 @@ def _add(root: Path, name: str, state: dict[str, bool], parts: list[str], late: 
     state[name] = True
 
 
+@lru_cache(MODULES)
 def _function_of(name: str, folder: PurePosixPath, text: str) -> str:
     def given(found: re.Match) -> str:
         names, whole, path = found.groups()
@@ -99,6 +102,7 @@ def _function_of(name: str, folder: PurePosixPath, text: str) -> str:
     return f"modules['{name}'] = await (async () => {{\n{body}return {{ {', '.join(exported)} }};\n}})();\n"
 
 
+@lru_cache(MODULES)
 def shorter(text: str) -> str:
     """Without comments and types; without what is at the ends of lines, but for a template literal that spans some."""
     text = CAST.sub("", COMMENT.sub("", text))
