@@ -39,9 +39,9 @@ def test_figure_10_6_compares_numbers_of_clamped_modes(open_page):
 
 
 @pytest.mark.parametrize("name", ["figure-9.13", "figure-9.14", "figure-10.5", "figure-10.6"])
-def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(open_page, name):
+def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(show, name):
     """Against the fields of the solutions themselves, of which the browser has other numbers."""
-    page = open_page(f"?scene={name}")
+    page = show(f"?scene={name}")
     assert page.evaluate(STACK)
     request = Request.of(own_choices(name))
     exact = exact_solution(request.scene, request.restitution)
@@ -96,9 +96,9 @@ def test_what_is_kept_is_laid_over(open_page):
     assert page.evaluate(names) == ["exact waves", "modes", "A"]
 
 
-def test_saved_data_has_the_stress_at_the_place(open_page):
+def test_saved_data_has_the_stress_at_the_place(show):
     """Of both solutions, as the chart tells it; times are those of all other columns."""
-    page = open_page("?scene=figure-9.13")
+    page = show("?scene=figure-9.13")
     saved = page.evaluate("() => strikewave.page.view.rows(200)")
     names, told = saved["names"], np.array(saved["values"], float)
     assert names[-2:] == ["compression_waves_at_1000_mm_Pa", "compression_modal_at_1000_mm_Pa"]
