@@ -134,8 +134,8 @@ def test_what_can_be_read_fits_on_a_phone(language, open_page):
     assert max(switch.evaluate(edges)) <= 390
 
 
-def test_rods_of_two_materials_have_no_one_strain_to_read(open_page):
-    page = open_page("?scene=split-hopkinson&view=laboratory")
+def test_rods_of_two_materials_have_no_one_strain_to_read(show):
+    page = show("?scene=split-hopkinson")
     page.wait("() => strikewave.page.view.gauge.there")
     shown = "() => [...strikewave.page.view.gauge.switches[0].root.querySelectorAll('button')].map((b) => b.hidden)"
     assert page.evaluate(shown) == [False, True, False, False, False]  # a specimen of aluminium between steel
@@ -154,9 +154,9 @@ def open_along(page):
     page.wait("() => strikewave.page.view.gauge.along.content.series.length > 0")
 
 
-def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(open_page):
+def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(show):
     """Exact waves at the instant of the clock; the two waves add up to the stress."""
-    page = open_page()
+    page = show("?scene=fixed-rod")
     open_along(page)
     page.evaluate("() => strikewave.page.player.seek(0.3)")
     page.wait("() => strikewave.page.view.gauge.t === 0.3")
@@ -174,8 +174,8 @@ def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(
     assert right == pytest.approx(np.interp(places, x, y), abs=1e-6 * y.max()) and not left.any()
 
 
-def test_the_place_is_dragged_along_the_body(open_page):
-    page = open_page()
+def test_the_place_is_dragged_along_the_body(show):
+    page = show("?scene=fixed-rod")
     open_along(page)
     area = page.tab.locator(".time-views .chart:visible").filter(has_text="Along the body").locator(".chart-area")
     frame = page.evaluate("() => strikewave.page.view.gauge.along.frame")
