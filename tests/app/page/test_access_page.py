@@ -12,7 +12,8 @@ from .test_workspace_page import whole
 AXE = Path(__file__).parents[3] / "node_modules/axe-core/axe.min.js"
 FINDINGS = """async () => {
   const rules = { 'target-size': { enabled: true }, 'label-content-name-mismatch': { enabled: true } };
-  const { violations } = await axe.run(document, { resultTypes: ['violations'], rules });
+  const given = { resultTypes: ['violations'], rules, elementRef: false, preload: false }; // all styles are there
+  const { violations } = await axe.run(document, given);
   return violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)).flatMap(({ id, nodes }) =>
     nodes.map(({ target, failureSummary }) => `${id}: ${target.flat(9).join(' ')}: ${failureSummary}`));
 }"""
@@ -23,6 +24,7 @@ AWAITED = """() => {
     Object.defineProperty(root, 'ariaBusy', { value: 'true', configurable: true, writable: true });
   }
 }"""
+BEFORE = ("Which model is enough?", "Bounces")  # in the middle: still there when the next one has come beside it
 ANALYSES = [
     "Which model is enough?",
     "Choose method by error",
@@ -43,8 +45,8 @@ def findings(page) -> list[str]:
 @pytest.mark.parametrize(
     "query", ["", "?scene=hammer-on-cantilever", "?scene=split-hopkinson", "?scene=brick-off-centre"]
 )
-def test_no_rule_of_access_is_broken(open_page, query):
-    page = open_page(query)
+def test_no_rule_of_access_is_broken(show, query):
+    page = show(query)
     found = {"desk": findings(page)}
     page.tab.emulate_media(forced_colors="active")
     found["forced colours"] = findings(page)
@@ -53,6 +55,8 @@ def test_no_rule_of_access_is_broken(open_page, query):
         page.tab.set_viewport_size({"width": size[0], "height": size[1]})
         page.laid_out()
         found[f"dark, {size}"] = findings(page)
+    page.tab.emulate_media(color_scheme="light")
+    page.resize(1440, 900)  # for the next
     assert {state: broken for state, broken in found.items() if broken} == {}
 
 
@@ -67,7 +71,9 @@ def test_no_rule_of_access_is_broken_by_what_is_opened(open_page):
         page.analysis(name)
         page.frames_pass(18)  # some work for long: the form is there
         page.evaluate(AWAITED)
-        found[name] = findings(page)
+        if name not in BEFORE:
+            expect(page.tab.locator(".analysis:visible")).to_have_count(2)
+            found[name] = findings(page)
     assert {name: broken for name, broken in found.items() if broken} == {}
 
 

@@ -106,8 +106,8 @@ def test_the_socket_takes_nothing_more_for_it():
     assert {*Choices.CHOSEN, *Questions.ASKED} == guard.SETTABLE
 
 
-def test_a_drag_is_answered_coarsely_and_refined_at_rest(open_page):
-    page = open_page(f"?scene={SLOW}")
+def test_a_drag_is_answered_coarsely_and_refined_at_rest(show):
+    page = show(f"?scene={SLOW}")
     page.evaluate(
         """() => { window.drafts = [];
           strikewave.page.model.on('frame', () => drafts.push(strikewave.page.frame.draft)); }"""
@@ -131,14 +131,14 @@ def test_a_drag_is_answered_coarsely_and_refined_at_rest(open_page):
     assert page.header("main")["elements"] == 15
 
 
-def test_a_key_is_answered_as_chosen(open_page):
-    page = open_page(f"?scene={SLOW}")
+def test_a_key_is_answered_as_chosen(show):
+    page = show(f"?scene={SLOW}")
     page.answered(lambda: page.tab.get_by_role("slider", name="Impact speed", exact=True).press("ArrowRight"))
     assert page.header("draft") is False
 
 
-def test_what_is_kept_is_never_a_draft(open_page):
-    page = open_page(f"?scene={SLOW}")
+def test_what_is_kept_is_never_a_draft(show):
+    page = show(f"?scene={SLOW}")
     page.evaluate("() => { const { page } = strikewave; page.frame = { ...page.frame, draft: true }; }")
     page.tab.get_by_role("button", name="Keep", exact=True).click()
     assert page.evaluate("() => strikewave.page.compare.runs.length") == 0

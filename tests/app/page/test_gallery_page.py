@@ -2,6 +2,7 @@
 
 import hashlib
 import re
+from itertools import product
 
 import pytest
 from playwright.sync_api import expect
@@ -40,10 +41,10 @@ def opened(page) -> None:
 
 @pytest.mark.parametrize("query", ["", "?layout=laboratory"])
 def test_a_scene_is_chosen_by_its_picture_and_nothing_is_fetched_before(open_page, query):
-    page = open_page(query, own=True)
+    page = open_page("liveness", own=True, drawn=False)
     fetched = []
     page.tab.on("request", lambda request: fetched.append(request.url))
-    page.tab.reload()
+    page.tab.goto(f"http://{page.address}/{query}")
     page.laid_out()
     assert not [address for address in fetched if "gallery" in address]
     opened(page)
@@ -57,23 +58,26 @@ def test_a_scene_is_chosen_by_its_picture_and_nothing_is_fetched_before(open_pag
     expect(page.tab.locator(".field-scene .title")).to_contain_text("Newton's cradle")
 
 
-@pytest.mark.parametrize("size", [(390, 844), (820, 1180), (1280, 720)], ids=str)
-def test_lessons_are_named_where_the_page_opens_and_lie_on_nothing(open_page, size):
-    page = open_page("", size=size)
+def test_lessons_are_named_where_the_page_opens_and_lie_on_nothing(open_page):
+    page = open_page("")
     button = page.tab.get_by_role("button", name="Lessons", exact=True)
-    words = page.evaluate(
-        """() => {
-          const range = document.createRange();
-          range.selectNodeContents(strikewave.page.root.querySelector('.ask h2'));
-          return [...range.getClientRects()].map(({ left, top, right, bottom }) => [left, top, right, bottom]);
-        }"""
-    )
-    box = button.bounding_box()
-    right, bottom = box["x"] + box["width"], box["y"] + box["height"]
-    assert right <= size[0] and words
-    assert not any(box["x"] < x1 and right > x0 and box["y"] < y1 and bottom > y0 for x0, y0, x1, y1 in words)
-    button.click()
-    expect(gallery(page).get_by_role("heading", name="Lessons", exact=True)).to_be_visible()
+    for size in [(390, 844), (820, 1180), (1280, 720)]:
+        page.resize(*size)
+        words = page.evaluate(
+            """() => {
+              const range = document.createRange();
+              range.selectNodeContents(strikewave.page.root.querySelector('.ask h2'));
+              return [...range.getClientRects()].map(({ left, top, right, bottom }) => [left, top, right, bottom]);
+            }"""
+        )
+        box = button.bounding_box()
+        right, bottom = box["x"] + box["width"], box["y"] + box["height"]
+        assert right <= size[0] and words
+        assert not any(box["x"] < x1 and right > x0 and box["y"] < y1 and bottom > y0 for x0, y0, x1, y1 in words)
+        button.click()
+        expect(gallery(page).get_by_role("heading", name="Lessons", exact=True)).to_be_visible()
+        expect(page.tab.locator(".lesson-cards a").first).to_be_in_viewport()
+        gallery(page).get_by_role("button", name="Close scenes and lessons").click()
 
 
 def test_the_scene_stays_until_one_is_chosen(open_page):
@@ -133,10 +137,10 @@ def test_pictures_move_under_a_pointer_and_never_where_nothing_is_to_move(open_p
         page.wait(f"(still) => ({PIXELS})() === still", still)
 
 
-@pytest.mark.parametrize("size", [(390, 844), (820, 1180), (1280, 720)], ids=str)
-def test_cards_are_whole_and_large_enough_to_touch(open_page, size):
-    page = open_page("?layout=laboratory", size=size)
-    for letters in ("100%", "200%"):
+def test_cards_are_whole_and_large_enough_to_touch(open_page):
+    page = open_page("?layout=laboratory")
+    for letters, size in product(("100%", "200%"), [(390, 844), (820, 1180), (1280, 720)]):
+        page.resize(*size)
         page.evaluate("size => (document.documentElement.style.fontSize = size)", letters)
         opened(page)
         boxes = page.evaluate(
@@ -148,7 +152,7 @@ def test_cards_are_whole_and_large_enough_to_touch(open_page, size):
                 low: Math.min(...all.map((each) => each.getBoundingClientRect().height)) };
             }"""
         )
-        assert boxes["over"] <= 0 and boxes["cut"] == 0 and boxes["low"] >= 24, (letters, boxes)
+        assert boxes["over"] <= 0 and boxes["cut"] == 0 and boxes["low"] >= 24, (letters, size, boxes)
         gallery(page).get_by_role("button", name="Close scenes and lessons").click()
 
 

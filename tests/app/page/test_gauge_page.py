@@ -39,9 +39,9 @@ def test_figure_10_6_compares_numbers_of_clamped_modes(open_page):
 
 
 @pytest.mark.parametrize("name", ["figure-9.13", "figure-9.14", "figure-10.5", "figure-10.6"])
-def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(open_page, name):
+def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(show, name):
     """Against the fields of the solutions themselves, of which the browser has other numbers."""
-    page = open_page(f"?scene={name}")
+    page = show(f"?scene={name}")
     assert page.evaluate(STACK)
     request = Request.of(own_choices(name))
     exact = exact_solution(request.scene, request.restitution)
@@ -96,9 +96,9 @@ def test_what_is_kept_is_laid_over(open_page):
     assert page.evaluate(names) == ["exact waves", "modes", "A"]
 
 
-def test_saved_data_has_the_stress_at_the_place(open_page):
+def test_saved_data_has_the_stress_at_the_place(show):
     """Of both solutions, as the chart tells it; times are those of all other columns."""
-    page = open_page("?scene=figure-9.13")
+    page = show("?scene=figure-9.13")
     saved = page.evaluate("() => strikewave.page.view.rows(200)")
     names, told = saved["names"], np.array(saved["values"], float)
     assert names[-2:] == ["compression_waves_at_1000_mm_Pa", "compression_modal_at_1000_mm_Pa"]
@@ -134,8 +134,8 @@ def test_what_can_be_read_fits_on_a_phone(language, open_page):
     assert max(switch.evaluate(edges)) <= 390
 
 
-def test_rods_of_two_materials_have_no_one_strain_to_read(open_page):
-    page = open_page("?scene=split-hopkinson&view=laboratory")
+def test_rods_of_two_materials_have_no_one_strain_to_read(show):
+    page = show("?scene=split-hopkinson")
     page.wait("() => strikewave.page.view.gauge.there")
     shown = "() => [...strikewave.page.view.gauge.switches[0].root.querySelectorAll('button')].map((b) => b.hidden)"
     assert page.evaluate(shown) == [False, True, False, False, False]  # a specimen of aluminium between steel
@@ -154,9 +154,9 @@ def open_along(page):
     page.wait("() => strikewave.page.view.gauge.along.content.series.length > 0")
 
 
-def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(open_page):
+def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(show):
     """Exact waves at the instant of the clock; the two waves add up to the stress."""
-    page = open_page()
+    page = show("?scene=fixed-rod")
     open_along(page)
     page.evaluate("() => strikewave.page.player.seek(0.3)")
     page.wait("() => strikewave.page.view.gauge.t === 0.3")
@@ -174,8 +174,8 @@ def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(
     assert right == pytest.approx(np.interp(places, x, y), abs=1e-6 * y.max()) and not left.any()
 
 
-def test_the_place_is_dragged_along_the_body(open_page):
-    page = open_page()
+def test_the_place_is_dragged_along_the_body(show):
+    page = show("?scene=fixed-rod")
     open_along(page)
     area = page.tab.locator(".time-views .chart:visible").filter(has_text="Along the body").locator(".chart-area")
     frame = page.evaluate("() => strikewave.page.view.gauge.along.frame")

@@ -9,18 +9,13 @@ from .test_lesson_page import LESSON, answered_choice, button, in_order, onwards
 ANSWERS = "() => strikewave.page.opening.teaching.lesson.progress.answers"
 
 
-def chosen_twice(page) -> None:
-    """Wrongly, then rightly."""
+def test_a_choice_keeps_its_last_answer_and_the_summary_says_what_was_right_later(open_page):
+    page = open_page(LESSON)
     ready(page)
     page.tab.get_by_label("No more contact").check()
     button(page, "Show what happens").click()
     button(page, "Try again").click()
     answered_choice(page)
-
-
-def test_a_choice_that_was_tried_again_keeps_its_last_answer(open_page):
-    page = open_page(LESSON)
-    chosen_twice(page)
     for leave in (page.tab.reload, lambda: (onwards(page), button(page, "Back").click())):
         leave()
         ready(page)
@@ -28,11 +23,6 @@ def test_a_choice_that_was_tried_again_keeps_its_last_answer(open_page):
         expect(page.tab.locator(".lesson-said")).to_contain_text("✓")
         expect(page.tab.locator(".lesson-choice")).to_contain_text("2 tries")
     assert page.evaluate(ANSWERS)["next"]["picked"] != page.evaluate(ANSWERS)["next"]["last"]
-
-
-def test_the_summary_says_which_answers_were_right_later_and_what_is_so(open_page):
-    page = open_page(LESSON)
-    chosen_twice(page)
     page.evaluate("() => strikewave.page.opening.teaching.lesson.enter(2)")
     ready(page)
     for ratio in (2, 1.5):

@@ -18,7 +18,7 @@ def mass_ratio(page) -> float:
     return page.header("chosen")["mass_ratio"]
 
 
-def test_the_slider_of_a_question_reaches_as_far_as_its_range(open_page):
+def test_the_slider_of_a_question_reaches_as_far_as_its_range_and_begins_in_it(open_page):
     page = open_page(f"{LESSON}&step=3")
     ready(page)
     slider = page.tab.locator("#choice-mass_ratio")
@@ -38,13 +38,7 @@ def test_the_slider_of_a_question_reaches_as_far_as_its_range(open_page):
     button(page, "Back").click()
     ready(page)
     assert mass_ratio(page) == 10
-
-
-def test_where_a_slider_was_left_beyond_its_range_it_begins_at_its_end(open_page):
-    """As pages before did."""
-    page = open_page(f"{LESSON}&step=3")
-    ready(page)
-    page.evaluate("""() => {
+    page.evaluate("""() => { // where pages before left it
       const { lesson } = strikewave.page.opening.teaching;
       lesson.progress.answers.once.place = 15.8;
       lesson.keep();
@@ -58,16 +52,20 @@ def test_where_a_slider_was_left_beyond_its_range_it_begins_at_its_end(open_page
 @pytest.fixture
 def changed(open_page):
     """Open a step of a lesson whose record was changed on its way."""
+    routed = []
 
     def opened(change, step: int, **how):
         record = lesson_record(shipped_lesson("bounce-twice"))
         change(record["steps"])
-        page = open_page("", own=True, **how)
+        page = open_page("liveness", drawn=False, **how)
+        routed.append(page.tab)
         page.tab.route("**/lessons/bounce-twice*", lambda route: route.fulfill(json=record))
         page.tab.goto(f"http://{page.address}/{LESSON}&step={step}")
         return page
 
-    return opened
+    yield opened
+    for tab in routed:
+        tab.unroute_all()
 
 
 def until_the_end(steps) -> None:
@@ -126,9 +124,19 @@ LINE = """() => strikewave.page.analyses.energy.figure.model('energy-cursor')?.l
   / (1000 * strikewave.page.player.t)"""  # its axis is in ms
 
 
-def test_the_line_of_a_chart_below_the_picture_follows_the_clock(open_page):
-    page = open_page("?lesson=the-energy-left-ringing&step=3")
+LEGEND = """() => {
+  const { analyses: { energy: { figure, root } } } = strikewave.page;
+  const [{ area }] = figure.parts;
+  return area.firstElementChild && area.getBoundingClientRect().bottom - root.getBoundingClientRect().bottom;
+}"""
+
+
+def test_a_plot_below_the_picture_is_seen_with_its_legend_and_its_line_follows_the_clock(open_page):
+    page = open_page("?lesson=the-energy-left-ringing&step=3", size=(1280, 720))  # a low screen
     ready(page)
+    page.wait(f"() => ({LEGEND})() !== null")
+    page.frames_pass(2)
+    assert page.evaluate(LEGEND) <= 0
     page.wait(f"() => Math.abs(({LINE})() - 1) < 1e-9")
     page.evaluate("() => strikewave.page.player.go(5e-4)")
     assert page.evaluate(LINE) == pytest.approx(1)
@@ -138,18 +146,3 @@ def test_the_line_of_a_chart_below_the_picture_follows_the_clock(open_page):
     page.wait(f"() => Math.abs(({LINE})() - 1) < 1e-9")
     page.evaluate("() => strikewave.page.player.go(1e-3)")
     assert page.evaluate(LINE) == pytest.approx(1)
-
-
-LEGEND = """() => {
-  const { analyses: { energy: { figure, root } } } = strikewave.page;
-  const [{ area }] = figure.parts;
-  return area.firstElementChild && area.getBoundingClientRect().bottom - root.getBoundingClientRect().bottom;
-}"""
-
-
-def test_a_plot_below_the_picture_is_seen_with_its_legend_on_a_low_screen(open_page):
-    page = open_page("?lesson=the-energy-left-ringing&step=3", size=(1280, 720))
-    ready(page)
-    page.wait(f"() => ({LEGEND})() !== null")
-    page.frames_pass(2)
-    assert page.evaluate(LEGEND) <= 0

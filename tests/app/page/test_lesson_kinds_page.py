@@ -131,6 +131,7 @@ BESIDE = """() => {
 @pytest.fixture
 def taught(open_page, tmp_path):
     """Open a lesson of these steps, about this scene."""
+    routed = []
 
     def opened(scene: str, text: str, **how):
         file = tmp_path / "tried.md"
@@ -138,7 +139,8 @@ def taught(open_page, tmp_path):
         file.write_text(head + text, encoding="utf-8")
         found = check(file)
         assert found.problems == () and found.lesson
-        page = open_page("", own=True, **how)
+        page = open_page("liveness", drawn=False, **how)
+        routed.append(page.tab)
         record = lesson_record(found.lesson)
         page.tab.route("**/lessons/tried*", lambda route: route.fulfill(json=record))
         page.tab.goto(f"http://{page.address}/?lesson=tried")
@@ -146,7 +148,9 @@ def taught(open_page, tmp_path):
         ready(page)
         return page
 
-    return opened
+    yield opened
+    for tab in routed:
+        tab.unroute_all()
 
 
 def test_a_beam_has_charts_and_a_second_solution_behind_the_answer(taught):
@@ -214,7 +218,7 @@ def test_a_ball_with_spin_has_the_clock_of_its_impulse(taught):
     expect(page.tab.locator(".lesson-said")).to_contain_text("It sticks.")
 
 
-def test_a_linkage_and_a_chain_have_rows_and_charts(taught):
+def test_a_linkage_and_a_chain_have_rows_and_charts_one_below_the_other_on_a_phone(taught):
     page = taught("four-bar", LINKS)
     page.wait(SETTLED)
     assert not page.evaluate("() => strikewave.page.view.stage.diagrams")  # of which the lesson does not speak
@@ -224,6 +228,14 @@ def test_a_linkage_and_a_chain_have_rows_and_charts(taught):
     assert page.evaluate("() => strikewave.page.player.t") == pytest.approx(second, rel=1e-6)
     onwards(page)
     expect(page.tab.locator(".lesson-charts .chart")).to_have_count(2)
+    page.resize(390, 844)
+    page.fits(390)
+    first, second = (each.bounding_box() for each in page.tab.locator(".lesson-charts .chart").all())
+    assert second["y"] >= first["y"] + first["height"] and first["height"] > 200
+    assert findings(page) == []
+    button(page, "Back").click()
+    ready(page)
+    page.fits(390)
     page = taught("split-hopkinson", RODS)
     expect(page.tab.locator(".section")).to_be_visible()
     onwards(page)
@@ -233,25 +245,17 @@ def test_a_linkage_and_a_chain_have_rows_and_charts(taught):
     expect(legend).not_to_contain_text("50 modes")  # which the page has beside exact waves otherwise
 
 
-def test_a_phone_has_charts_one_below_the_other(taught):
-    page = taught("four-bar", LINKS, size=(390, 844))
-    page.fits(390)
-    onwards(page)
-    first, second = (each.bounding_box() for each in page.tab.locator(".lesson-charts .chart").all())
-    assert second["y"] >= first["y"] + first["height"] and first["height"] > 200
-    page.fits(390)
-    assert findings(page) == []
-
-
 LAID = """() => [...strikewave.page.root.querySelectorAll('.lesson-row, .lesson-charts table')]
   .some((each) => each.checkVisibility())"""
 HIDDEN = """() => [...strikewave.page.root.querySelectorAll('.lesson-charts .scroll')]
   .some(({ clientWidth, scrollWidth }) => scrollWidth > clientWidth)"""
 
 
-@pytest.mark.parametrize("language", ["en", "es"])
-@pytest.mark.parametrize("lesson, step", [("a-ball-with-spin", 3), ("the-energy-left-ringing", 6)])
-def test_no_rule_of_access_is_broken_where_a_phone_is_full(open_page, language, lesson, step):
+@pytest.mark.parametrize(
+    "lesson, step, language",
+    [("a-ball-with-spin", 3, "es"), ("the-energy-left-ringing", 6, "es"), ("the-energy-left-ringing", 6, "en")],
+)
+def test_no_rule_of_access_is_broken_where_a_phone_is_full(open_page, lesson, step, language):
     """A button half behind the moves; a table that no key scrolls, whose last column is out of sight."""
     page = open_page(f"?lesson={lesson}&step={step}&language={language}", size=(390, 844), has_touch=True)
     ready(page)
@@ -276,9 +280,11 @@ ARCS = """() => {
 }"""
 
 
-@pytest.mark.parametrize("step, ratio", [(4, 3.0), (5, 1.0)])
-def test_balls_are_as_large_as_their_masses(open_page, step, ratio):
-    page = open_page(f"?lesson=what-an-impact-is&step={step}")
+def test_balls_are_as_large_as_their_masses(open_page):
+    page = open_page("?lesson=what-an-impact-is&step=4")
     ready(page)
-    radii = page.evaluate(ARCS)
-    assert max(radii) / min(radii) == pytest.approx(ratio ** (1 / 3), rel=1e-3)
+    for ratio in (3.0, 1.0):
+        radii = page.evaluate(ARCS)
+        assert max(radii) / min(radii) == pytest.approx(ratio ** (1 / 3), rel=1e-3)
+        if ratio > 1.0:
+            onwards(page, "Skip →")

@@ -201,10 +201,14 @@ def test_no_rule_of_access_is_broken_on_a_desk(open_page):
 
 
 @pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
-def test_points_are_typed_and_strokes_taken_back(open_page, size):
+def test_points_are_typed_what_is_none_is_named_and_strokes_are_taken_back(open_page, size):
     page = open_page(f"{LESSON}&step=2", size=size)
     ready(page)
     button(page, "Type points").click()
+    type_into(page.tab.get_by_label("A line for each point"), "0 37\nhello\n1 x")
+    button(page, "Draw them").click()
+    expect(page.tab.locator(".sketch .wrong")).to_have_text("Not two numbers: hello; 1 x")
+    assert button(page, "Show what happens").is_disabled()
     type_into(page.tab.get_by_label("A line for each point"), "0 36\n0,99 8\n1 80\n2.2 0\n2.6 0")
     button(page, "Draw them").click()
     expect(button(page, "Show what happens")).to_be_enabled()
@@ -290,10 +294,10 @@ def test_a_lesson_that_is_not_there_is_refused_in_a_sentence(open_page):
 
 
 def test_lessons_are_fetched_where_one_is_asked_for_and_listed_in_the_gallery(open_page):
-    page = open_page("", own=True)
+    page = open_page("liveness", own=True, drawn=False)
     fetched = []
     page.tab.on("request", lambda request: fetched.append(request.url))
-    page.tab.reload()
+    page.tab.goto(f"http://{page.address}/")
     page.laid_out()
     page.tab.keyboard.press("g")
     gallery = page.tab.get_by_role("dialog", name="Scenes and lessons")
@@ -319,16 +323,6 @@ def test_back_leads_from_a_lesson_to_where_one_was(open_page):
     assert page.evaluate("() => location.search") == before[1]
 
 
-def test_what_is_no_point_is_named_and_draws_nothing(open_page):
-    page = open_page("?lesson=bounce-twice&step=2")
-    ready(page)
-    button(page, "Type points").click()
-    type_into(page.tab.get_by_role("textbox"), "0 37\nhello\n1 x")
-    button(page, "Draw them").click()
-    expect(page.tab.locator(".sketch .wrong")).to_have_text("Not two numbers: hello; 1 x")
-    assert button(page, "Show what happens").is_disabled()
-
-
 WAITS = "() => strikewave.page.waiter.soon('test', 'Solving …')"
 COVERED = """() => {
   const both = [strikewave.page.waiter.root, strikewave.page.root.querySelector('.lesson h2')];
@@ -337,14 +331,15 @@ COVERED = """() => {
 }"""
 
 
-@pytest.mark.parametrize("size", [(1440, 900), (820, 1180), (390, 844)])
-def test_what_is_waited_for_does_not_stand_over_the_question(open_page, size):
+def test_what_is_waited_for_does_not_stand_over_the_question(open_page):
     """Where the caption was before the lesson came, its heading is now."""
-    page = open_page(LESSON, size=size)
+    page = open_page(LESSON)
     ready(page)
     page.evaluate(WAITS)
-    expect(page.tab.locator(".waiting")).to_be_visible()
-    assert not page.evaluate(COVERED)
+    for size in [(1440, 900), (820, 1180), (390, 844)]:
+        page.resize(*size)
+        expect(page.tab.locator(".waiting")).to_be_visible()
+        assert not page.evaluate(COVERED)
 
 
 class Held:
@@ -366,9 +361,8 @@ class Held:
         self.kept.clear()
 
 
-@pytest.mark.parametrize("size", [(1440, 900), (390, 844)])
-def test_the_picture_of_another_step_does_not_stand_beside_a_question(open_page, size):
-    page = open_page("", own=True, size=size)
+def test_the_picture_of_another_step_does_not_stand_beside_a_question(open_page):
+    page = open_page("liveness", own=True, drawn=False, size=(390, 844))
     held = Held(page.tab)
 
     def fetched(route):  # the page has its first picture by then, which is not that of the lesson
@@ -394,5 +388,6 @@ def test_the_picture_of_another_step_does_not_stand_beside_a_question(open_page,
         expect(stages).to_be_visible()
         assert not asked.evaluate("(root) => root.inert")
         if heading.startswith("Let"):
+            page.resize(1440, 900)
             held.holds = True
             button(page, "Skip →").click()

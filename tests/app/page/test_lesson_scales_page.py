@@ -41,9 +41,11 @@ def test_a_colour_means_the_same_in_all_steps_and_no_stress_is_beyond(open_page,
 
 
 @pytest.mark.browser
-def test_where_one_begins_late_it_keeps_the_scale_that_it_has_had(open_page):
+def test_where_one_begins_late_it_keeps_the_scale_that_it_has_had_and_rows_end_soon_after_the_force(open_page):
     page = open_page("?lesson=mass-on-a-rod&step=6&language=en")
     page.wait(THERE)
+    start, end = page.evaluate("() => strikewave.page.range()")
+    assert start == 0.0 and 2.4 <= end < 3.2
     alone, _ = page.evaluate(SCALE)
     turn(page)
     both, _ = page.evaluate(SCALE)
@@ -56,12 +58,8 @@ def test_where_one_begins_late_it_keeps_the_scale_that_it_has_had(open_page):
 
 
 @pytest.mark.browser
-def test_the_rows_of_a_force_that_is_over_end_soon(open_page):
-    page = open_page("?lesson=mass-on-a-rod&step=6&language=en")
-    page.wait(THERE)
-    start, end = page.evaluate("() => strikewave.page.range()")
-    assert start == 0.0 and 2.4 <= end < 3.2
-    page = open_page("?lesson=bounce-twice&step=3&language=en")  # a slider decides when it is over
+def test_rows_go_on_to_the_end_where_a_slider_decides_when_the_force_is_over(open_page):
+    page = open_page("?lesson=bounce-twice&step=3&language=en")
     page.wait(THERE)
     assert page.evaluate("() => strikewave.page.range()[1] === strikewave.page.frame.duration")
 

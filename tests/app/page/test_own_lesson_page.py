@@ -52,12 +52,6 @@ def test_the_last_step_leads_to_all_lessons_and_they_say_how_far_one_has_come(op
     page.tab.wait_for_url("**scene=free-rod*")
 
 
-def test_who_knows_no_key_finds_lessons_in_the_bar(open_page):
-    page = open_page("", size=(820, 1180))
-    button(page, "Lessons").click()
-    expect(page.tab.locator(".lesson-cards a").first).to_be_in_viewport()
-
-
 def dropped(page, text: str, name: str = "mine.md") -> None:
     page.tab.evaluate(
         """([name, text]) => {
@@ -277,6 +271,8 @@ def test_paper_has_the_charts_that_texts_speak_of_and_leaves_what_was_answered(o
     page = open_page("?lesson=bending&step=2", size=(390, 844), color_scheme="dark")
     ready(page)
     page.evaluate("() => (window.print = () => (window.printed = true))")
+    turned = "() => getComputedStyle(document.documentElement).filter"
+    assert "invert" in page.evaluate(turned)
     progress = "() => JSON.stringify([strikewave.page.opening.teaching.lesson.progress, {...localStorage}])"
     before = page.evaluate(progress), page.tab.url, page.evaluate("() => history.length")
     button(page, "Print").click()
@@ -285,6 +281,7 @@ def test_paper_has_the_charts_that_texts_speak_of_and_leaves_what_was_answered(o
     ready(page)
     assert (page.evaluate(progress), page.tab.url, page.evaluate("() => history.length")) == before
     page.tab.emulate_media(media="print")
+    assert page.evaluate(turned) == "none"  # paper is white where the page is dark
     page.tab.set_viewport_size({"width": 720, "height": 1040})  # a sheet
     steps = page.tab.locator(".lesson-print section")
     assert [steps.nth(k).locator(".print-below").count() for k in range(7)] == [0, 1, 0, 2, 1, 0, 2]
@@ -327,15 +324,6 @@ def test_keys_of_a_presenter_walk_through_a_lesson_before_a_class(open_page):
 def pages(page) -> int:
     """How many sheets the browser prints by itself."""
     return len(re.findall(rb"/Type\s*/Page\b", page.tab.pdf(format="A4")))
-
-
-def test_paper_is_white_where_the_page_is_dark(open_page):
-    page = open_page(LESSON, color_scheme="dark")
-    ready(page)
-    turned = "() => getComputedStyle(document.documentElement).filter"
-    assert "invert" in page.evaluate(turned)
-    page.tab.emulate_media(media="print")
-    assert page.evaluate(turned) == "none"
 
 
 def test_what_a_phone_prints_by_itself_says_how_all_pictures_are_got(open_page):

@@ -1,9 +1,12 @@
-"""Every figure and table of the thesis, opened as from the gallery: what it is about is there, and drawn."""
+"""Figures and tables of the thesis, opened as from the gallery: what they are about is there, and drawn."""
 
 import pytest
 
+import solvers
 from app.choices.opened import opening_of
 from bench.thesis import numbered
+
+from ..conftest import Page
 
 CHAPTERS = range(3, 11)
 
@@ -54,13 +57,31 @@ def is_seen(found: dict, name: str) -> str:
     return "" if found["picture"] > 40 else "the picture"
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS)
-def test_what_an_item_of_the_thesis_is_about_is_seen(open_page, chapter):
-    page = open_page("")
-    missing = {}
+def chosen(chapter: int) -> list[str]:
+    """Of its items, the first of each kind of body that opens each kind of charts, tab and analyses."""
+    kinds = {}
     for name in numbered():
-        if name.split("-")[1].split(".")[0] != str(chapter):
-            continue
+        if name.split("-")[1].split(".")[0] == str(chapter):
+            opening, body = opening_of(name), type(solvers.load(name).target)
+            said = opening.table()["tab"], opening.charts, opening.views, opening.read
+            kinds.setdefault((body, *said, opening.place is None, opening.time is None), name)
+    return list(kinds.values())
+
+
+@pytest.fixture(scope="module")
+def shared(browser, server, windows):
+    """One page, which goes from item to item."""
+    page = Page(browser, server, "", windows=windows)
+    yield page
+    page.close()
+    assert [error for error in page.errors if "GL Driver" not in error] == page.foreign == []
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+@pytest.mark.browser
+def test_what_an_item_of_the_thesis_is_about_is_seen(shared, chapter):
+    page, missing = shared, {}
+    for name in chosen(chapter):
         page.show_scene(name)
         for _ in range(40):
             missing[name] = is_seen(page.evaluate(SEEN), name)
@@ -106,8 +127,9 @@ def test_back_and_forward_lead_to_the_dock_as_it_was_seen(open_page):
     assert page.evaluate("() => strikewave.page.history.top") == 3
 
 
-def test_velocities_of_mass_and_rod_cross_three_times(open_page):
-    page = open_page("")
+@pytest.mark.browser
+def test_velocities_of_mass_and_rod_cross_three_times(shared):
+    page = shared
     page.show_scene("figure-4.19")
     page.wait("() => strikewave.page.view.gauge.over.content.series.length > 2")
     crossings = page.evaluate("""() => {
