@@ -40,6 +40,14 @@ AT_REST = """([name, value]) => {
 }"""
 
 
+def as_chosen(text: str) -> float | str:
+    """A number of a link as a slider has it."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
 class Shown:
     """Pages that go from one scene to the next as by the gallery, one for each layout."""
 
@@ -48,19 +56,22 @@ class Shown:
         self.by_layout: dict[str, Page] = {}
         self.queries: dict[str, str] = {}  # what each has been led to last
 
-    def show(self, query: str) -> Page:
+    def show(self, query: str, size=(1440, 900)) -> Page:
         """With the choices of this link, or those that a test has moved before, if that is where it was."""
         choices = dict(parse_qsl(query.lstrip("?")))
         layout, scene = choices.pop("layout", "laboratory"), choices.pop("scene", "fixed-rod")
         if (page := self.by_layout.get(layout)) is None:
             browser, address, windows = self.given
-            page = self.by_layout[layout] = Page(browser, address, query, windows=windows)
-        elif self.queries[layout] != query:
+            page = self.by_layout[layout] = Page(browser, address, query, size, windows=windows)
+        elif page.tab.viewport_size != {"width": size[0], "height": size[1]}:
+            page.resize(*size)
+        if self.queries.get(layout, query) != query:
             if scene == page.header("chosen")["scene"]:  # which another one takes back to what it begins with
                 page.show_scene("free-rod" if scene == "fixed-rod" else "fixed-rod")
             page.show_scene(scene)
-            for name, value in choices.items():
-                page.answered(lambda name=name, value=value: page.evaluate(CHOOSE, [name, value]))
+            for choice in ([name, as_chosen(text)] for name, text in choices.items()):
+                if page.header("chosen")[choice[0]] != choice[1]:
+                    page.answered(lambda choice=choice: page.evaluate(CHOOSE, choice))
         self.queries[layout] = query
         return page
 

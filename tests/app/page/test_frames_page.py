@@ -19,6 +19,10 @@ ADDRESS = "https://impact.example.org/"  # of the docs
 SHOWN = "() => window.strikewave && (strikewave.page.opening.teaching.lesson?.at ?? -1) >= {step}"
 # What the course page is told.
 TOLD = "if (window === top) { window.told = []; addEventListener('message', ({ data }) => told.push(data)); }"
+# More than a change takes to be measured and told, 150 ms.
+FRAMES_PASS = """async () => {
+  for (let k = 0; k < 15; k++) await new Promise((done) => requestAnimationFrame(done));
+}"""
 # What a browser does that blocks what other sites keep.
 BLOCKED = """
 if (window !== top) {
@@ -88,11 +92,14 @@ def follows(tab, inside) -> int:
         }""",
         timeout=PATIENCE,
     )
-    tab.wait_for_timeout(400)
-    before = tab.evaluate("() => told.length")
-    tab.wait_for_timeout(400)  # in which another height would be told
-    told = tab.evaluate("() => told")
-    assert len(told) == before
+    for _ in range(20):
+        before = tab.evaluate("() => told.length")
+        inside.evaluate(FRAMES_PASS)  # in which another height would be told
+        told = tab.evaluate("() => told")
+        if len(told) == before:
+            break
+    else:
+        pytest.fail(f"its height goes on changing: {told[-5:]}")
     assert told and all(each.keys() == {"strikewave", "height"} and each["strikewave"] == 1 for each in told)
     height = int(tab.locator("iframe").get_attribute("height") or 0)
     assert height == told[-1]["height"]

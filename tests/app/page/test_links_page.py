@@ -227,18 +227,13 @@ def arrange(page) -> dict:
     return page.evaluate(STATE)
 
 
-def test_a_reload_restores_everything(open_page):
+def test_a_reload_restores_everything_and_a_link_shows_the_same_to_others(open_page):
     page = open_page()
     before = arrange(page)
     page.tab.reload()
     page.wait(RESTORED)
     page.wait("() => strikewave.page.compare.locked")
     assert page.evaluate(STATE) == before
-
-
-def test_a_link_shows_the_same_to_others(open_page):
-    page = open_page()
-    before = arrange(page)
     other = open_page(page.evaluate(SEARCH))
     other.wait(RESTORED)
     other.wait("() => strikewave.page.compare.locked")

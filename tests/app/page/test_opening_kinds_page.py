@@ -15,9 +15,8 @@ DESKS, HANDS = SIZES[:2], SIZES[2:]
 
 
 @pytest.mark.parametrize("size", DESKS)
-def test_every_impact_of_a_mechanism_is_named_or_counted_and_can_be_reached(open_page, size):
-    page = open_page("?scene=four-bar-moves&layout=opening", size=size)
-    opened(page)
+def test_every_impact_of_a_mechanism_is_named_or_counted_and_can_be_reached(show, size):
+    page = show("?scene=four-bar-moves&layout=opening", size=size)
     page.wait("() => strikewave.page.opening.section.tracks.length")
     impacts = page.header("main")["contacts"]
     names = page.tab.locator(".happens li:not(.more):visible")
@@ -42,9 +41,8 @@ def test_every_impact_of_a_mechanism_is_named_or_counted_and_can_be_reached(open
     expect(names.first).to_contain_text("Impact 1")  # those about the clock are seen
 
 
-def test_a_phone_names_every_impact(open_page):
-    page = open_page("?scene=four-bar-moves&layout=opening", size=HANDS[1])
-    opened(page)
+def test_a_phone_names_every_impact(show):
+    page = show("?scene=four-bar-moves&layout=opening", size=HANDS[1])
     expect(page.tab.locator(".happens li:visible")).to_have_count(page.header("main")["contacts"])
 
 
@@ -58,10 +56,9 @@ def test_names_of_curves_end_within_a_phone(open_page):
     assert len(ends) > 5 and max(ends) <= width
 
 
-def test_impulses_that_take_no_time_are_drawn_as_such(open_page):
+def test_impulses_that_take_no_time_are_drawn_as_such(show):
     """By balances there is no force: its track had nothing in it, from 0 to 0."""
-    page = open_page("?scene=spring-mass&layout=opening")
-    opened(page)
+    page = show("?scene=spring-mass&layout=opening")
     page.wait("() => strikewave.page.opening.section.tracks.length")
     track = page.evaluate("() => strikewave.page.opening.section.shown.tracks[0]")
     assert track["title"] == "Impulses" and track["range"][0] > 0
@@ -76,8 +73,7 @@ LINKS = """() => {
 }"""
 
 
-@pytest.mark.parametrize("size", DESKS)
-@pytest.mark.parametrize("scene", ["four-bar-moves", "four-bar"])
+@pytest.mark.parametrize(("scene", "size"), zip(["four-bar-moves", "four-bar"], DESKS, strict=True))
 def test_a_linkage_has_the_height_beside_its_tracks(open_page, scene, size):
     page = open_page(f"?scene={scene}&layout=opening", size=size)
     opened(page)
@@ -94,19 +90,17 @@ def test_a_linkage_has_the_height_beside_its_tracks(open_page, scene, size):
     assert width > 0
 
 
-def test_a_flat_linkage_lies_above_its_tracks(open_page):
-    page = open_page("?scene=slider-crank&layout=opening")
-    opened(page)
+def test_a_flat_linkage_lies_above_its_tracks(show):
+    page = show("?scene=slider-crank&layout=opening")
     page.wait("() => strikewave.page.opening.section.tracks.length")
     stage, section = (page.tab.locator(name).bounding_box() for name in (".stages", ".section"))
     assert section["y"] >= stage["y"] + stage["height"] - 1 and section["width"] == pytest.approx(stage["width"])
 
 
-def test_what_is_dropped_has_its_impacts_closer_where_the_window_is_wide(open_page):
+def test_what_is_dropped_has_its_impacts_closer_where_the_window_is_wide(show):
     exact = solvers.solve(solvers.load("drop-test"))
     for size in SIZES:
-        page = open_page("?scene=drop-test&layout=opening", size=size)
-        opened(page)
+        page = show("?scene=drop-test&layout=opening", size=size)
         lens = page.tab.locator(".lens")
         if size in HANDS:
             expect(lens).to_be_hidden()
@@ -129,9 +123,8 @@ def test_what_is_dropped_has_its_impacts_closer_where_the_window_is_wide(open_pa
         assert drawn > 0.1
 
 
-def test_the_impact_that_is_nearest_to_the_clock_is_seen_closer(open_page):
-    page = open_page("?scene=drop-test&layout=opening")
-    opened(page)
+def test_the_impact_that_is_nearest_to_the_clock_is_seen_closer(show):
+    page = show("?scene=drop-test&layout=opening")
     lens = page.tab.locator(".lens")
     first, second = page.evaluate("() => strikewave.page.view.fall.bounces.slice(0, 2).map(({ t }) => t)")
     for t, number in ((0.0, 1), (first, 1), (0.45 * first + 0.55 * second, 2), (first, 1), (second, 2)):
@@ -150,9 +143,8 @@ def test_an_impact_without_time_has_nothing_closer(open_page):
     expect(page.tab.locator(".lens")).to_be_hidden()
 
 
-def test_the_seam_of_a_hopkinson_bar_opens_with_the_force_through_its_specimen(open_page):
-    page = open_page("?scene=split-hopkinson&layout=opening")
-    opened(page)
+def test_the_seam_of_a_hopkinson_bar_opens_with_the_force_through_its_specimen(show):
+    page = show("?scene=split-hopkinson&layout=opening")
     page.wait("() => strikewave.page.opening.section.shown?.seam")
     found = page.evaluate(
         """() => {
@@ -176,9 +168,8 @@ def test_the_seam_of_a_hopkinson_bar_opens_with_the_force_through_its_specimen(o
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_bodies_without_friction_have_the_clock_of_their_impulse(open_page, size):
-    page = open_page("?scene=percussion-rod&layout=opening", size=size)
-    opened(page)
+def test_bodies_without_friction_have_the_clock_of_their_impulse(show, size):
+    page = show("?scene=percussion-rod&layout=opening", size=size)
     page.wait("() => strikewave.page.opening.section.tracks.length")
     titles, ends = page.evaluate(
         """() => {
@@ -205,9 +196,8 @@ def test_bodies_without_friction_have_the_clock_of_their_impulse(open_page, size
 
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("scene", ["four-bar", "fixed-rod", "spinning-ball"])
-def test_names_of_tracks_and_sliders_are_whole(open_page, scene, size):
-    page = open_page(f"?scene={scene}&layout=opening", size=size)
-    opened(page)
+def test_names_of_tracks_and_sliders_are_whole(show, scene, size):
+    page = show(f"?scene={scene}&layout=opening", size=size)
     ends, width, cut = page.evaluate(
         """() => {
           const { root, tracks } = strikewave.page.opening.section;
@@ -219,9 +209,8 @@ def test_names_of_tracks_and_sliders_are_whole(open_page, scene, size):
     assert max(ends, default=0) <= width and cut == []
 
 
-def test_the_scale_of_heights_is_within_a_phone(open_page):
-    page = open_page("?scene=drop-test&layout=opening", size=HANDS[1])
-    opened(page)
+def test_the_scale_of_heights_is_within_a_phone(show):
+    page = show("?scene=drop-test&layout=opening", size=HANDS[1])
     page.wait("() => strikewave.page.view.stage.words.all.length")
     words = page.evaluate(
         """() => {
@@ -293,8 +282,8 @@ def test_the_title_that_a_phone_opens_with_takes_two_lines_and_no_more_when_chan
     assert title.bounding_box()["height"] < 2.5 * line
 
 
-def test_events_below_the_rows_are_seen_in_whole_lines(open_page):
-    page = open_page("?scene=four-bar&layout=opening", size=HANDS[0])
+def test_events_below_the_rows_are_seen_in_whole_lines(show):
+    page = show("?scene=four-bar&layout=opening", size=HANDS[0])
     box = page.tab.locator(".happens").bounding_box()
     lows = {
         low
@@ -305,8 +294,8 @@ def test_events_below_the_rows_are_seen_in_whole_lines(open_page):
 
 
 @pytest.mark.parametrize(("scene", "size"), [("fixed-rod", DESKS[1]), ("two-balls", HANDS[0]), ("four-bar", HANDS[0])])
-def test_sliders_of_the_opening_stand_in_one_line(open_page, scene, size):
-    page = open_page(f"?scene={scene}&layout=opening", size=size)
+def test_sliders_of_the_opening_stand_in_one_line(show, scene, size):
+    page = show(f"?scene={scene}&layout=opening", size=size)
     sliders = page.tab.locator(".left .leading :is(select, [type=range]):visible")
     tops = [each.bounding_box()["y"] for each in sliders.all()]
     assert len(tops) > 2 and max(tops) - min(tops) < 1

@@ -23,24 +23,29 @@ def opened(page) -> None:
     page.wait("() => strikewave.page.root.querySelector('.happens li, .ask h2')?.textContent")
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_picture_and_rows_have_half_of_the_window_and_the_question_is_in_view(open_page, size):
-    page = open_page("", size=size)
+def test_picture_and_rows_have_half_of_the_window_and_the_question_is_in_view(open_page):
+    page = open_page("", size=SIZES[-1])
     opened(page)
+    check_room(page, SIZES[-1])
+    for size in SIZES[:-1]:
+        page.resize(*size)
+        check_room(page, size)
+
+
+def check_room(page, size) -> None:
     boxes = page.evaluate(BOXES)
     width, height = size
     assert boxes[".stages"]["height"] + boxes[".section"]["height"] >= 0.45 * height
     for name in (".stages", ".section", ".ask", ".caption", ".player", ".foremost"):
-        assert boxes[name]["left"] >= 0 and boxes[name]["right"] <= width + 0.5
+        assert boxes[name]["left"] >= 0 and boxes[name]["right"] <= width + 0.5, size
         assert boxes[name]["top"] >= 0 and boxes[name]["bottom"] <= height + 0.5, name
     expect(page.tab.locator(".ask h2")).to_have_text("One impact. Why three peaks of force?")
     below = [boxes[name] for name in (".player", ".foremost")]
     assert all(box["top"] >= boxes[".section"]["bottom"] - 0.5 for box in below)
 
 
-def test_the_rows_show_the_stress_that_the_library_says(open_page):
-    page = open_page("")
-    opened(page)
+def test_the_rows_show_the_stress_that_the_library_says(show):
+    page = show("?layout=opening")
     found = page.evaluate(
         """() => {
           const { ends, stretch } = strikewave.page.opening.section;
@@ -59,9 +64,8 @@ def test_the_rows_show_the_stress_that_the_library_says(open_page):
 
 
 @pytest.mark.parametrize("scene", ["xylophone-bar", "figure-8.15"])
-def test_the_rows_of_a_beam_show_the_bending_moment_that_the_library_says(open_page, scene):
-    page = open_page(f"?scene={scene}&place=0.5&layout=opening")
-    opened(page)
+def test_the_rows_of_a_beam_show_the_bending_moment_that_the_library_says(show, scene):
+    page = show(f"?scene={scene}&place=0.5&layout=opening")
     found = page.evaluate(
         """() => {
           const { ends, shown: { drawn }, stretch } = strikewave.page.opening.section;
@@ -83,9 +87,8 @@ def test_the_rows_of_a_beam_show_the_bending_moment_that_the_library_says(open_p
     assert error.max() < 0.03 * np.abs(moment).max()
 
 
-def test_every_contact_of_a_hammer_is_seen_beside_the_rows(open_page):
-    page = open_page("?scene=hammer-on-cantilever&layout=opening")
-    opened(page)
+def test_every_contact_of_a_hammer_is_seen_beside_the_rows(show):
+    page = show("?scene=hammer-on-cantilever&layout=opening")
     names = page.tab.locator(".happens li:visible")
     expect(names).to_have_count(8)
     for number in range(2, 6):
@@ -135,9 +138,8 @@ def test_an_old_link_has_its_question_and_sliders_in_the_picture(open_page):
     expect(page.tab.locator(".ask h2")).to_contain_text("peaks of force?")
 
 
-def test_a_scene_without_rows_gives_its_room_to_the_picture_and_takes_it_back(open_page):
-    page = open_page("?scene=bouncing-ball&layout=opening")
-    opened(page)
+def test_a_scene_without_rows_gives_its_room_to_the_picture_and_takes_it_back(show):
+    page = show("?scene=bouncing-ball&layout=opening")
     for scene, bare in (
         ("rigid-pendulum", False),
         ("percussion-rod", False),
@@ -205,11 +207,16 @@ def test_the_laboratory_is_one_click_away_is_remembered_and_back_leads_to_the_pi
     assert page.evaluate(MODE) == "lead"
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_all_else_slides_in_beside_a_picture_that_stays(open_page, size):
-    page = open_page("", size=size)
+def test_all_else_slides_in_beside_a_picture_that_stays(open_page):
+    page = open_page("", size=SIZES[-1])
     opened(page)
     settled(page)
+    for size in reversed(SIZES):
+        page.resize(*size)
+        check_docks(page, size)
+
+
+def check_docks(page, size) -> None:
     chart = "() => strikewave.page.view.force.chart.area.clientHeight"
     for tab in ("Charts", "Numbers", "Controls", "Analysis", "Story"):
         closer(page, tab)
@@ -277,9 +284,8 @@ def test_the_question_counts_the_pushes_and_the_change_moves_the_slider(open_pag
     expect(page.tab.locator(".ask h2")).to_have_text(f"One impact. Why {NUMBERS[pushes]} peaks of force?")
 
 
-def test_a_hand_on_the_rows_sets_the_clock(open_page):
-    page = open_page("")
-    opened(page)
+def test_a_hand_on_the_rows_sets_the_clock(show):
+    page = show("?layout=opening")
     box = page.tab.locator(".section").bounding_box()
     place, top, tall = page.evaluate(
         """() => {
@@ -295,9 +301,8 @@ def test_a_hand_on_the_rows_sets_the_clock(open_page):
     assert top > 0 and page.evaluate("() => strikewave.page.player.t") == pytest.approx(1.25, abs=1.5 * pixel)
 
 
-def test_events_stand_at_their_time(open_page):
-    page = open_page("")
-    opened(page)
+def test_events_stand_at_their_time(show):
+    page = show("?layout=opening")
     names = page.tab.locator(".happens li:visible")
     expect(names.first).to_contain_text("They touch")
     expect(names.last).to_contain_text("They part for good")
@@ -324,9 +329,8 @@ def test_events_stand_at_their_time(open_page):
         ("bouncing-ball", 0, 0, "Infinitely many bounces."),
     ],
 )
-def test_every_kind_has_its_question_and_its_picture(open_page, scene, rows, charts, question):
-    page = open_page(f"?scene={scene}&layout=opening")
-    opened(page)
+def test_every_kind_has_its_question_and_its_picture(show, scene, rows, charts, question):
+    page = show(f"?scene={scene}&layout=opening")
     expect(page.tab.locator(".ask h2")).to_contain_text(question)
     expect(page.tab.locator(".strip .chart:visible")).to_have_count(charts)
     expect(page.tab.locator(".section:visible")).to_have_count(rows)
@@ -341,9 +345,8 @@ def test_a_scene_of_one_instant_stands_there(open_page, scene, instant):
     assert not page.evaluate("() => strikewave.page.player.playing")
 
 
-def test_a_ball_of_the_cradle_leaves_with_the_speed_that_is_said(open_page):
-    page = open_page("?scene=newtons-cradle&layout=opening")
-    opened(page)
+def test_a_ball_of_the_cradle_leaves_with_the_speed_that_is_said(show):
+    page = show("?scene=newtons-cradle&layout=opening")
     said = page.evaluate("() => strikewave.page.opening.section.shown.feet.all.map(({ words }) => words)")
     speeds = solvers.solve(solvers.load("newtons-cradle"))
     expected = [speeds.impactor_velocity, *speeds.ball_velocities]
@@ -365,9 +368,8 @@ def test_a_dropped_ball_has_the_clock_of_its_fall_in_the_opening_alone(open_page
     assert page.evaluate("() => strikewave.page.player.duration") > 4.0
 
 
-def test_the_clock_of_bodies_in_space_goes_through_the_impact(open_page):
-    page = open_page("?scene=spinning-ball&layout=opening")
-    opened(page)
+def test_the_clock_of_bodies_in_space_goes_through_the_impact(show):
+    page = show("?scene=spinning-ball&layout=opening")
     names = page.tab.locator(".happens li:visible")
     expect(names).to_have_count(4)
     names.filter(has_text="grips").get_by_role("button").click()
@@ -392,8 +394,7 @@ def test_tracks_lie_beside_one_another_within_the_picture(open_page, scene):
         assert ends == sorted(ends)
 
 
-def test_events_are_named_on_a_tablet_and_a_phone(open_page):
+def test_events_are_named_on_a_tablet_and_a_phone(show):
     for size in SIZES[2:]:
-        page = open_page("", size=size)
-        opened(page)
+        page = show("?layout=opening", size=size)
         expect(page.tab.locator(".happens li:visible").first).to_contain_text("They touch")

@@ -8,6 +8,7 @@ from playwright.sync_api import expect
 from solvers import load
 from solvers.records.files import load_record
 
+from ..conftest import LABORATORY
 from . import hands
 from .hands import slide, type_into
 
@@ -68,8 +69,8 @@ SLIDERS = {  # title of each, and where it is drawn to
 
 
 @pytest.mark.parametrize("query", SLIDERS)
-def test_each_slider_changes_what_is_drawn(open_page, query):
-    page = open_page(query)
+def test_each_slider_changes_what_is_drawn(show, query):
+    page = show(query)
     for name, place in SLIDERS[query].items():
         check_slider(page, name, *place)
 
@@ -117,8 +118,8 @@ def test_a_scene_brings_its_own_values(open_page):
 
 
 @pytest.mark.parametrize("scene, keys", [("figure-10.2", True), ("figure-8.22", True), ("figure-9.12", False)])
-def test_a_note_that_names_keys_without_a_control_says_where_they_are_set(open_page, scene, keys):
-    page = open_page(f"?scene={scene}")
+def test_a_note_that_names_keys_without_a_control_says_where_they_are_set(show, scene, keys):
+    page = show(f"?scene={scene}")
     note = page.tab.locator("p.trust", has_text="Source: thesis").last.text_content()
     assert ("impact solve --set KEY=VALUE" in note) == keys
     assert page.errors == []
@@ -319,8 +320,8 @@ def test_a_bad_address_is_refused_and_never_becomes_markup(open_page):
         "?scene=bronze-rod-steel-ball&law=hertz&hertz_stiffness=1e6&mass_ratio=0.001&method=modal",
     ],
 )
-def test_extremes_are_drawn(open_page, query):
-    page = open_page(query)
+def test_extremes_are_drawn(show, query):
+    page = show(query)
     assert 0 < page.header("duration") < 1e5
     assert len(set(page.picture())) > 3
     drag(page, "Time", 0.9)
@@ -345,8 +346,8 @@ def test_controls_have_names_and_keys_work(open_page):
 
 
 @pytest.mark.parametrize("size", [(1440, 900), (1024, 700), (390, 844)])
-def test_nothing_sticks_out_sideways(open_page, size):
-    page = open_page(size=size, has_touch=size[0] < 500)
+def test_nothing_sticks_out_sideways(show, size):
+    page = show(LABORATORY, size=size)
     page.fits(size[0])
     for name in ("Play", "Save"):
         box = page.tab.get_by_role("button", name=name, exact=True).bounding_box()

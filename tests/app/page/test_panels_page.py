@@ -120,19 +120,14 @@ def test_the_keys_aim_on_the_map_and_enter_goes_there(open_page):
     expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("hertz")
 
 
-def test_a_place_that_is_none_is_refused(open_page):
+def test_what_a_hostile_client_asks_is_refused(open_page):
     page = open_page()
-    map_of(page)
+    opened(page, "Which model is enough?", "needs")
     page.evaluate("() => { strikewave.page.model.map_point = '1 -2'; }")
     expect(page.tab.locator(".toast")).to_contain_text("Place on the map: got '1 -2'; allowed: a contact time")
     page.wait("() => strikewave.page.model.map_point === ''")
     page.evaluate("() => { strikewave.page.model.map_point = '<b>'; }")
     expect(page.tab.locator(".toast")).to_contain_text("Place on the map: '<b>' is not possible. Write numbers.")
-
-
-def test_what_a_hostile_client_asks_is_refused(open_page):
-    page = open_page()
-    opened(page, "Which model is enough?", "needs")
     page.evaluate("() => { strikewave.page.model.plan_tolerance = -3; }")
     expect(page.tab.locator(".toast")).to_contain_text("Allowed error: -3 is not possible")
     page.wait("() => strikewave.page.model.plan_tolerance === 0.05")

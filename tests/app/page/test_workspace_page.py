@@ -11,11 +11,16 @@ from app.serving.still import INSTANT, colour, first_still
 from app.text.catalogues import page as texts_of
 from solvers.text.catalogue import SOURCE
 
+from ..conftest import LABORATORY
 from .hands import drag, type_into
 from .test_page import settled
 
-SIZES = [[(1440, 900), (1920, 1080), (1280, 720)], [(390, 844), (820, 1180)]]  # of windows, changed one into the next
-SCENES = ["", "?scene=hammer-on-cantilever", "?scene=brick-off-centre"]
+DESKS, HANDS = [(1280, 720), (1440, 900), (1920, 1080)], [(390, 844), (820, 1180)]  # sizes of windows
+SIZES = {
+    "?layout=opening": DESKS + HANDS,
+    "?scene=hammer-on-cantilever": [DESKS[0], *HANDS],
+    "?scene=brick-off-centre": DESKS + HANDS[:1],
+}
 IN_VIEW = """() => {
   const { page } = strikewave, seen = (element) => {
     const { top, bottom, left, right } = element.getBoundingClientRect();
@@ -41,19 +46,17 @@ def whole(page) -> bool:
     )
 
 
-@pytest.mark.parametrize("sizes", SIZES, ids=str)
-@pytest.mark.parametrize("query", SCENES)
-def test_stage_and_clock_are_in_view_at_every_size(open_page, query, sizes):
-    page = open_page(query, size=sizes[0])
-    for size in sizes:
-        page.resize(*size)
+@pytest.mark.parametrize("query", SIZES)
+def test_stage_and_clock_are_in_view_at_every_size(show, query):
+    for size in SIZES[query]:
+        page = show(query, size=size)
         page.wait(IN_VIEW)
         assert whole(page)
 
 
 @pytest.mark.parametrize("size, names", [((1440, 900), "Story Numbers Analysis"), ((390, 844), "Controls Charts")])
-def test_tabs_stand_in_the_order_of_use(open_page, size, names):
-    page = open_page(size=size)
+def test_tabs_stand_in_the_order_of_use(show, size, names):
+    page = show(LABORATORY, size=size)
     assert page.tab.get_by_role("tab").all_inner_texts()[: len(names.split())] == names.split()
 
 
@@ -90,21 +93,23 @@ def test_the_charts_share_the_room_that_there_is(open_page, size, open_):
     assert sum(height > 80 for height in page.evaluate(CHARTS)) == open_
 
 
-@pytest.mark.parametrize("label", WIDE + BESIDE)
-def test_what_is_opened_is_seen_and_the_stage_stays(open_page, label):
+def test_what_is_opened_is_seen_and_the_stage_stays(open_page):
     page = open_page(size=(1280, 720))
-    page.analysis(label)
-    panel = page.tab.locator("section.analysis:visible")
-    expect(panel).to_have_count(1)
-    box = panel.bounding_box()
-    assert 0 <= box["y"] < 500 and box["x"] >= 0
-    page.wait(IN_VIEW)
-    assert whole(page)
-    charts = page.tab.locator(".charts")
-    expect(charts).to_be_hidden() if label in WIDE else expect(charts).to_be_visible()
-    page.analysis("Choose method by error" if label != "Choose method by error" else "Energy over time")
-    page.tab.get_by_role("button", name=re.compile("^Close: ")).first.click()
-    page.wait(IN_VIEW)
+    panel, charts = page.tab.locator("section.analysis:visible"), page.tab.locator(".charts")
+    close = page.tab.get_by_role("button", name=re.compile("^Close: "))
+    for label in WIDE + BESIDE:
+        page.analysis(label)
+        expect(panel).to_have_count(1)
+        box = panel.bounding_box()
+        assert 0 <= box["y"] < 500 and box["x"] >= 0, label
+        page.wait(IN_VIEW)
+        assert whole(page), label
+        expect(charts).to_be_hidden() if label in WIDE else expect(charts).to_be_visible()
+        page.analysis("Choose method by error" if label != "Choose method by error" else "Energy over time")
+        close.first.click()
+        page.wait(IN_VIEW)
+        while panel.count():
+            close.first.click()
 
 
 def test_a_panel_can_be_widened_and_closed_where_it_is(open_page):
@@ -184,8 +189,8 @@ def test_what_is_in_view_is_looped(open_page):
     assert page.evaluate(T) == pytest.approx(0.5)
 
 
-def test_the_pace_can_be_a_share_of_real_time(open_page):
-    page = open_page("?scene=hammer-on-cantilever")
+def test_the_pace_can_be_a_share_of_real_time(show):
+    page = show("?scene=hammer-on-cantilever")
     page.tab.get_by_label("Pace").first.select_option("1/20000")
     per_second = page.evaluate("() => { const { player: p } = strikewave.page; return p.perSecond * p.pace.speed; }")
     assert per_second * page.header("trip") == pytest.approx(1 / 20_000)
@@ -234,8 +239,8 @@ def test_the_still_shows_what_the_library_says():
     assert np.corrcoef(red, values)[0, 1] < -0.95  # colours are linear piece by piece
 
 
-def test_symbols_explain_themselves_to_pointer_and_keyboard(open_page):
-    page = open_page()
+def test_symbols_explain_themselves_to_pointer_and_keyboard(show):
+    page = show(LABORATORY)
     tip = page.tab.get_by_role("tooltip")
     page.tab.locator(".symbols .term", has_text="T").first.hover()
     expect(tip).to_contain_text("T: round trip")
@@ -277,8 +282,8 @@ def test_a_scene_is_the_same_wherever_one_comes_from(open_page):
 
 
 @pytest.mark.parametrize(("scene", "hidden"), [("split-hopkinson", True), ("semi-infinite-rod", False)])
-def test_what_does_not_act_on_a_chain_is_not_shown(open_page, scene, hidden):
-    page = open_page(f"?scene={scene}")
+def test_what_does_not_act_on_a_chain_is_not_shown(show, scene, hidden):
+    page = show(f"?scene={scene}")
     expect(page.tab.get_by_role("slider", name="Modes", exact=True)).to_be_hidden()
     beside = page.tab.get_by_label("Compare with", exact=True)
     expect(beside).to_be_visible(visible=not hidden)
@@ -286,9 +291,9 @@ def test_what_does_not_act_on_a_chain_is_not_shown(open_page, scene, hidden):
         assert beside.evaluate("each => each.selectedOptions[0].textContent") == "Nothing (exact waves alone)"
 
 
-@pytest.mark.parametrize("query", ["", "?scene=hammer-on-cantilever", "?scene=two-equal-rods"])
-def test_the_striker_is_pulled_back_for_speed(open_page, query):
-    page = open_page(query)
+@pytest.mark.parametrize("query", ["?layout=opening", "?scene=hammer-on-cantilever", "?scene=two-equal-rods"])
+def test_the_striker_is_pulled_back_for_speed(show, query):
+    page = show(query)
     place = page.evaluate(
         """() => { const { canvas, striker } = strikewave.page.view.stage, from = canvas.getBoundingClientRect();
                    const { x, y, way } = striker.drawn; return [from.left + x, from.top + y, ...way]; }"""
@@ -338,8 +343,8 @@ DEEPEST = """() => {
 
 
 @pytest.mark.parametrize("scene", ["two-balls", "sphere-on-half-space"])
-def test_compact_bodies_press_each_other_in_and_never_lie_in_one_another(open_page, scene):
-    page = open_page(f"?scene={scene}")
+def test_compact_bodies_press_each_other_in_and_never_lie_in_one_another(show, scene):
+    page = show(f"?scene={scene}")
     drawn = page.evaluate(DEEPEST)
     assert 0 < drawn["overlap"] < 0.2 * drawn["width"]
     assert max(drawn["inside"][:3]) < 130  # the dark striker
@@ -349,17 +354,17 @@ def test_compact_bodies_press_each_other_in_and_never_lie_in_one_another(open_pa
     assert drawn["overlap"] / drawn["metres"] / own == pytest.approx(drawn["factor"], rel=1e-6)
 
 
-def test_two_balls_are_balls(open_page):
-    page = open_page("?scene=two-balls")
+def test_two_balls_are_balls(show):
+    page = show("?scene=two-balls")
     assert page.header("target")["shape"] == "ball"
     sizes = page.evaluate("() => [strikewave.page.axial.stage.striker.drawn.width]")
     assert sizes[0] > 20
     assert page.header("target")["radius"] / page.header("impactor")["radius"] == pytest.approx(1.5)
 
 
-def test_a_unit_stands_beside_its_number_however_narrow_the_column_is(open_page):
+def test_a_unit_stands_beside_its_number_however_narrow_the_column_is(show):
     """As where a scroll bar takes of its width, which the browser of the tests has none of."""
-    page = open_page()
+    page = show(LABORATORY)
     apart = page.evaluate(
         """() => {
           const { root } = strikewave.page.controls, found = [];
