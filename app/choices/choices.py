@@ -23,6 +23,7 @@ from .bodies import BodyValues, read_values
 from .facts import facts_of
 from .own import is_own, own_scene
 
+
 @cache
 def _loaded(name: str) -> Scene:
     """In one language, as a server speaks to visitors of several."""
