@@ -9,9 +9,9 @@ from solvers import Scene
 SHARES = np.linspace(-1.0, 1.0, 11)
 CHANGE = 5e-4  # of the stiffness
 # How far a polynomial of sixth degree may miss a smooth function over so small a change: its seventh term is below
-# 1e-15. The root of a force that damping takes away is known to the rounding of the force by its slope; of a force that
-# goes with the indentation, to the tolerance of `waves`.
-SMOOTH = {"kelvin-voigt": 1e-11, "lee-wang": 1e-11, "hunt-crossley": 1e-9}
+# 1e-15. By a dashpot beside a spring the root of the force is known to its rounding; where powers are marched, to the
+# tolerance of `waves`, as rounding decides which steps are taken.
+SMOOTH = {"kelvin-voigt": 1e-11, "lee-wang": 1e-9, "hunt-crossley": 1e-9}
 
 STEEL = {"length": 0.5, "section": {"area": 3e-4}, "material": "steel"}
 RODS = {
