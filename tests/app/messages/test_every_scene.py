@@ -57,7 +57,7 @@ def kind(name: str) -> tuple:
     )
 
 
-OF_EACH_KIND = {kind(name): name for name in reversed(SCENES)}.values()
+OF_EACH_KIND = {kind(name): name for name in reversed(list(SCENES))}.values()
 
 
 @pytest.mark.slow
