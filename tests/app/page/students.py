@@ -26,6 +26,10 @@ END, POINTS, RISE = 2.6, 24, 120 / 30  # of lines in codes: their last time [T],
 CODE = re.compile(r"[B-DF-HJ-NP-TWXZ]{4}-[B-DF-HJ-NP-TWXZ]{4}")
 
 
+# What a slider's question says of the places that are found, and of those that are not.
+MORE = "() => strikewave.page.root.querySelector('.lesson-more')?.textContent ?? ''"
+
+
 class Student:
     """One of *Why does it bounce twice?*: `number` decides how each question is answered; every fourth skips two."""
 
@@ -74,7 +78,9 @@ class Student:
         if self.number % 4 == 2:
             return onwards(page, "Skip →")
         for place in (730, 80)[: 1 + self.number % 2]:
+            said = page.evaluate(MORE)
             page.answered(lambda place=place: slide(page.tab.locator("#choice-mass_ratio"), place))
+            page.wait(f"(said) => {{ const now = ({MORE})(); return now && now !== said; }}", said)  # it is found
             self.places.append(page.header("chosen")["mass_ratio"])
         onwards(page)
 
