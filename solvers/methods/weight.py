@@ -112,10 +112,12 @@ def sag_of(scene: Scene) -> float:
     if not (scene.weight_acceleration and target.held) or target.endless:
         return 0.0
     if target.rods:
+        if not all(joint.bonded for joint in getattr(target, "joints", ())):  # how they lie on each other is not known
+            return 0.0
         before = np.cumsum([0.0, *(rod.mass for rod in target.rods[:-1])])
         pulled = sum((above + 0.5 * rod.mass) / rod.stiffness for above, rod in zip(before, target.rods, strict=True))
         return scene.weight_acceleration * float(pulled)
-    if not is_spring(target):
+    if not (is_spring(target) and target.fixed):  # on one pin it turns
         return 0.0
     spring = spring_of(target)
     return scene.weight_acceleration * target.mass * spring.mean / spring.stiffness

@@ -70,7 +70,7 @@ def waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) 
         if not isinstance(body, Rod) or contact.end > SLOW_ROUND_TRIPS * body.round_trip_time:
             continue
         times, forces = motion.force_history()
-        share = float(np.trapezoid(forces**2, times)) / (body.impedance * scene.initial_energy)
+        share = float(np.trapezoid(forces**2, times)) / (body.impedance * _given(scene))
         if share > NEGLIGIBLE_ENERGY:
             trips = contact.end / body.round_trip_time
             notes.append(Note("waves-matter", Severity.WARNING, trips=trips, body=name, share=min(share, 1.0)))
@@ -85,7 +85,7 @@ def _springs_left_out(scene: Scene, motion: SampledMotion, contact: ContactPerio
             continue
         held = name == "target" and body.fixed
         softness = 1.0 / spring_of(body).stiffness if held or isinstance(body, Bending) else _softness(body)
-        share = 0.5 * contact.peak_force**2 * softness / scene.initial_energy
+        share = 0.5 * contact.peak_force**2 * softness / _given(scene)
         slow = body.time_unit if isinstance(body, Bending) else SLOW_ROUND_TRIPS * body.round_trip_time
         if contact.end < slow or share <= NEGLIGIBLE_ENERGY:
             continue
@@ -103,6 +103,11 @@ def _softness(rod: Rod) -> float:
     return (1.0 + behind + behind**2) / (3.0 * rod.stiffness)
 
 
+def _given(scene: Scene) -> float:
+    """The energy that shares are of [J]: that of the approach, which is the same from wherever it is seen."""
+    return 0.5 * scene.reduced_mass * scene.speed**2
+
+
 def _ringing_left_out(scene: Scene, name: str, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
     """As if the force were that on a half-space, q_i = phi_i F(omega_i) / omega_i, thesis 8.4.4."""
     body, other = (scene.target, scene.impactor) if name == "target" else (scene.impactor, scene.target)
@@ -111,7 +116,7 @@ def _ringing_left_out(scene: Scene, name: str, motion: SampledMotion, contact: C
     modes, (times, forces) = body.modes(RINGING_MODES), motion.force_history()
     angle = np.multiply.outer(modes.frequencies, times)
     sent = [np.trapezoid(forces * wave(angle), times, axis=1) for wave in (np.cos, np.sin)]
-    whole = scene.initial_energy or 0.5 * scene.reduced_mass * scene.speed**2  # of a wall that comes nearer it is nil
+    whole = _given(scene)
     shares = 0.5 * modes.at_contact**2 * (sent[0] ** 2 + sent[1] ** 2) / whole
     share = float(shares[modes.frequencies * contact.end < MAX_RADIANS].sum())
     energy = min(share, 1.0)

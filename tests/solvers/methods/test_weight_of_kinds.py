@@ -7,6 +7,7 @@ import pytest
 
 import solvers
 from solvers import Scene, SceneNotSupported
+from solvers.methods.weight import sag_of
 from tests.random_estimates import NOTHING
 
 SOFT = {"young": 1e7, "density": 1e3, "poisson": 0.3}
@@ -120,3 +121,16 @@ def test_what_hangs_low_before_the_impact_is_said(held, sag):
     assert note.values["sag"] == pytest.approx(sag, rel=1e-6)
     thrown = {"mass": 1e-3, "velocity": 0.14, "gravity": 1e-6}
     assert "held-hangs" not in [note.code for note in solvers.solve(scene.replace({"impactor": thrown})).notes]
+
+
+@pytest.mark.parametrize(
+    "target",
+    [STRIP | {"support": "pinned-free", "at": 0.5}, CHAIN | {"rods": [PIECE, PIECE | {"joint": "touching"}]}],
+    ids=["on one pin", "loose"],
+)
+def test_nothing_is_said_of_a_sag_that_is_not_known(target):
+    """What turns on a pin hangs otherwise, and how rods lie on each other is not known."""
+    target = target if "support" in target else target | {"support": "fixed"}
+    striker = {"mass": 1e-3, "height": 1e-3}
+    scene = Scene.from_table({"impactor": striker, "target": target, "contact": {"law": "linear", "stiffness": 1e3}})
+    assert sag_of(scene) == 0.0
