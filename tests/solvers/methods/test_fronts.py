@@ -6,7 +6,7 @@ from pytest import approx
 import solvers
 from solvers import Scene
 from solvers.accuracy.auto import Auto
-from solvers.methods.fronts import LEAST_RIPPLE, RIPPLES, front_force
+from solvers.methods.fronts import LEAST_RIPPLE, RIPPLES, front_force, ripple
 
 ROD = {"kind": "rod", "length": 0.1, "section": {"area": 1e-3}, "material": "steel"}
 FREE = ROD | {"support": "free"}
@@ -55,10 +55,33 @@ def test_a_rod_that_meets_a_beam_presses_with_no_more_than_its_front():
     assert front_force(found.scene) == approx(found.scene.impactor.impedance * 4.0, rel=1e-12)
 
 
+@pytest.mark.parametrize("law", [{"law": "linear"}, {"law": "power", "exponent": 1.1}, {"law": "hertz"}], ids=str)
 @pytest.mark.parametrize("method", TRUNCATED[:3])
-def test_nothing_is_said_where_a_law_gives_way(method):
-    found = solvers.solve(scene(PAIRS["rod on a stop"], {"law": "hertz", "stiffness": 1e9}), method=method)
-    assert RIPPLES not in [note.code for note in found.notes] and front_force(found.scene) is None
+@pytest.mark.parametrize("pair", ["rod on a stop", "rod on a longer one"])
+def test_a_law_is_told_of_where_it_ripples_and_only_there(pair, method, law):
+    """A stiff one is nearly rigid; one that is soft has no front."""
+    exponent = law.get("exponent", 1.5 if law["law"] == "hertz" else 1.0)
+    for stiffness, ripples in ((1e12, True), (1e7, False)):
+        law_scene = scene(PAIRS[pair], law | {"stiffness": stiffness * 1e5 ** (exponent - 1.0)})
+        exact = solvers.solve(law_scene, method="waves")
+        assert exact.peak_force <= front_force(law_scene) * (1.0 + 1e-6)
+        found = solvers.solve(law_scene, method=method)
+        told = [note.values for note in found.notes if note.code == RIPPLES]
+        assert bool(told) == ripples
+        if told:
+            off = 100.0 * (found.peak_force / front_force(law_scene) - 1.0)
+            assert told[0]["share"] == approx(off, rel=1e-9) and told[0]["over"] and told[0]["law"]
+
+
+@pytest.mark.parametrize("rigid", [True, False])
+def test_weight_adds_to_a_front_what_it_adds_to_the_speed(rigid):
+    """A slow drop is three times as fast when its front is back: no ripple of the exact force, and none added."""
+    contact = {"law": "rigid"} if rigid else {"law": "linear", "stiffness": 1e9}
+    table = {"impactor": ROD | {"length": 20.0, "height": 1e-4}, "target": {"kind": "stop"}, "contact": contact}
+    exact = solvers.solve(Scene.from_table(table), method="waves")
+    assert exact.peak_force > 3.0 * front_force(exact.scene) and ripple(exact) == approx(0.0, abs=1e-9)
+    found = solvers.solve(exact.scene, method="fe-modal")
+    assert ripple(found) < 0.25
 
 
 @pytest.mark.parametrize("among", [("modal", "fe-modal"), ("fe-modal", "fe-nodal"), ("modal", "balance")])
