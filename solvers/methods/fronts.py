@@ -11,7 +11,9 @@ from ..solution.motion import ResolvesForce
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 
-RIPPLES = "front-ripples"  # code of its note
+OF_RIGID = "front-ripples"
+OF_LAW = "law-ripples"
+RIPPLES = {OF_RIGID, OF_LAW}  # codes of its notes
 LEAST_RIPPLE = 0.01  # of the force of the front; less is not reported
 INSTANTS = 2_000  # at which the force behind the front is looked at, of which it takes in some tens of ripples
 
@@ -54,9 +56,10 @@ def notes_on_ripple(solution: Solution) -> list[Note]:
     share = ripple(solution)
     if share is None or abs(share) < LEAST_RIPPLE:
         return []
-    values = {"force": front_force(solution.scene), "share": 100.0 * abs(share), "over": share > 0.0}
-    values["law"] = not solution.scene.rigid_contact
-    return [Note(RIPPLES, Severity.WARNING, **values)]
+    values = {"force": front_force(solution.scene), "share": 100.0 * abs(share)}
+    if solution.scene.rigid_contact:
+        return [Note(OF_RIGID, Severity.WARNING, **values, over=share > 0.0)]
+    return [Note(OF_LAW, Severity.WARNING, **values)]
 
 
 def _front(body: AnyBody) -> tuple[float, float] | None:
