@@ -5,7 +5,8 @@ import pytest
 import solvers
 from tests.random_kinds import FIRST, compared, random_kind
 
-SEEDS = range(FIRST, FIRST + 4)
+WRONG = 900653, 901805, 902344  # beams on a pin that a slow contact bends, and a front too steep for elements
+SEEDS = (*range(FIRST, FIRST + 4), *WRONG)
 
 
 @pytest.mark.slow
