@@ -29,7 +29,7 @@ SUPPORTS = ("cantilever", "pinned-pinned", "clamped-clamped", "free-free", "pinn
 # Of notes that say that the numbers are not to be relied on, or what of them is not.
 TOLD = {
     "cut-short", "mesh-chatter", "modal-chatter", "front-unresolved", "ill-conditioned-mesh", "front-ripples",
-    "law-left-out", "weight-left-out", "weight-left-out-later", "modes-too-fast",
+    "law-ripples", "law-left-out", "weight-left-out", "weight-left-out-later", "modes-too-fast",
     "waves-matter", "vibration-left-out", "spring-left-out", "yielding-left-out",
 }  # fmt: skip
 
@@ -205,8 +205,8 @@ def _true(scene: Scene, duration: float) -> tuple[Found, float, float]:
         fine = independent(scene, duration, elements)
         own = (abs(fine.velocity - coarse.velocity) + fine.late) / scene.speed
         own_peak = abs(fine.peak - coarse.peak) / max(fine.peak, 1e-300)
-        good = own < NOTHING / 2.0 and own_peak < PEAK / 2.0
-        if good or elements >= 240 or math.isinf(own):
+        good = own < NOTHING / 2.0 and own_peak < PEAK / 2.0 and fine.touches == coarse.touches
+        if good or elements >= 480 or math.isinf(own):
             return fine, own, own_peak
         coarse = fine
 

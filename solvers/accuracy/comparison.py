@@ -132,7 +132,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int, duration: 
     counted = found.diagnostics.get("balances", len(found.contacts))
     until = max(contact.end for contact in [*exact.contacts, *found.contacts])
     instant = any(contact.peak_force is None for contact in [*exact.contacts, *found.contacts])
-    unknown = instant or any(note.code == RIPPLES for note in exact.notes)
+    unknown = instant or any(note.code in RIPPLES for note in exact.notes)
     return Row(
         method=found.method,
         rebound_error=(rebound(found) - rebound(exact)) / scene.speed,

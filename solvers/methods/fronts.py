@@ -1,4 +1,5 @@
-"""The front that sets out as rigid faces of rods meet: its force is known exactly, whatever a method makes of it."""
+"""The front that sets out as faces of rods meet: until a wave is back that adds to it no contact force exceeds it, and
+between rigid faces that is the force, whatever a method makes of it."""
 
 from typing import Any
 
@@ -10,24 +11,28 @@ from ..solution.motion import ResolvesForce
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 
-RIPPLES = "front-ripples"  # code of its note
+OF_RIGID = "front-ripples"
+OF_LAW = "law-ripples"
+RIPPLES = {OF_RIGID, OF_LAW}  # codes of its notes
 LEAST_RIPPLE = 0.01  # of the force of the front; less is not reported
 INSTANTS = 2_000  # at which the force behind the front is looked at, of which it takes in some tens of ripples
 
 
 def front_force(scene: Scene) -> float | None:
-    """Of the first front in a rigid contact [N]: v Z1 Z2 / (Z1 + Z2), what is no rod having no end of it.
+    """Of the first front [N]: v Z1 Z2 / (Z1 + Z2), what is no rod having no end of it; None if no rod meets end on.
 
-    None where the faces give way, or no rod meets the other body end on.
+    Between rigid faces. A law by which they give way comes to that from below: F = Z (v - d') with d' >= 0 until it
+    parts or a wave is back.
     """
     fronts = [found for body in (scene.impactor, scene.target) if (found := _front(body)) is not None]
-    if not fronts or not scene.rigid_contact or scene.prescribed_force:
+    if not fronts or scene.prescribed_force:
         return None
     return scene.speed / sum(1.0 / impedance for impedance, _ in fronts)
 
 
 def ripple(solution: Solution) -> float | None:
-    """By what share of it the largest force that a solution tells of before anything comes back is off the front's.
+    """By what share of it the largest force that a solution has until then is off the front's; of a law,
+    how far it is above, if it is.
 
     None where that is not known: see `front_force`; links that bend, and shear in beams, have fronts of their own.
     """
@@ -40,7 +45,10 @@ def ripple(solution: Solution) -> float | None:
     until = min(found[1] for body in bodies if (found := _front(body)) is not None)
     times = np.linspace(0.0, min(until, solution.duration), INSTANTS)
     shown = motion.resolved_force(times) if isinstance(motion, ResolvesForce) else solution.known_motion.force(times)
-    return float(np.max(shown)) / force - 1.0
+    falling = max(scene.weight_acceleration, 0.0) / scene.speed
+    peaks = [(each.peak_force or 0.0, each.end) for each in solution.contacts if each.end <= until]
+    off = max(found / (force * (1.0 + falling * at)) for found, at in [*zip(shown, times, strict=True), *peaks]) - 1.0
+    return float(off if scene.rigid_contact else max(off, 0.0))
 
 
 def notes_on_ripple(solution: Solution) -> list[Note]:
@@ -48,14 +56,19 @@ def notes_on_ripple(solution: Solution) -> list[Note]:
     share = ripple(solution)
     if share is None or abs(share) < LEAST_RIPPLE:
         return []
-    values = {"force": front_force(solution.scene), "share": 100.0 * abs(share), "over": share > 0.0}
-    return [Note(RIPPLES, Severity.WARNING, **values)]
+    values = {"force": front_force(solution.scene), "share": 100.0 * abs(share)}
+    if solution.scene.rigid_contact:
+        return [Note(OF_RIGID, Severity.WARNING, **values, over=share > 0.0)]
+    return [Note(OF_LAW, Severity.WARNING, **values)]
 
 
 def _front(body: AnyBody) -> tuple[float, float] | None:
-    """Impedance of the end that meets the other body [kg/s], and when a wave is back there at first [s]."""
+    """Impedance of the end that meets the other body [kg/s], and when a wave that adds to the force is first back [s]:
+    what a free end sends back takes away from it."""
     if body.rods:
-        return body.rods[0].impedance, body.rods[0].round_trip_time
+        first = body.rods[0]
+        free = len(body.rods) == 1 and first.support == "free" and not first.end_mass
+        return first.impedance, first.round_trip_time * (2.0 if free else 1.0)
     if isinstance(body, RotatingRod) and not body.across:
         wave_speed = (body.material.young / body.material.density) ** 0.5
         return body.impedance, 2.0 * body.length / wave_speed

@@ -104,8 +104,17 @@ def _softness(rod: Rod) -> float:
 
 
 def _given(scene: Scene) -> float:
-    """The energy that shares are of [J]: that of the approach, which is the same from wherever it is seen."""
-    return 0.5 * scene.reduced_mass * scene.speed**2
+    """The energy that shares are of [J]: that of the approach, which is the same from wherever it is seen, of the masses
+    that the bodies have where they meet as they move as a whole: a beam turns, too.
+    """
+    bodies = scene.impactor, scene.target
+    if not any(isinstance(body, Bending) for body in bodies):
+        return 0.5 * scene.reduced_mass * scene.speed**2
+    ease = 0.0
+    for body in bodies:
+        held = body is scene.target and body.held
+        ease += 1.0 / spring_of(body).whole_mass if isinstance(body, Bending) else 0.0 if held else 1.0 / body.mass
+    return 0.5 * scene.speed**2 / ease
 
 
 def _ringing_left_out(scene: Scene, name: str, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:

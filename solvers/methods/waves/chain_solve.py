@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ...bodies import Pulse, Waveguide
+from ...numerics.waves.parts import BONDED
 from ...numerics.waves.record import IMPULSE
 from ...scene import Scene
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS
@@ -13,9 +14,10 @@ from .chain_grid import COARSER, GridHistory
 from .chain_scene import ChainHistory, ChainScene
 
 COARSE_TOLERANCES = (1e-7, 1e-5)  # with each the echoes that count are some times fewer
+FEW_CONTACTS = 5  # up to which errors of steps add up and no more: of 400 random impacts, what each magnified
 LOOSER = 10.0  # what is found with a tolerance this many times larger gives its error
 POOR = 1e-4  # error of a velocity [v]: with a larger one a chain is so sensitive that a grid may be better
-SURE = 2.0  # times what a grid differs by from a coarser one: measured on random chains, see the tests
+SURE = 2.0  # times what one differs by from a coarser one: measured on random chains, see the tests
 FINE_LENGTHS = 1e-3  # share of the length of a rod by which it may be changed, and nothing be seen of it
 CLOSER = 1.25  # times the first contact: how far it is looked at anew
 FIRST_LOOK = 20.0  # round trips of the longest rod: how far a grid looks at first for when the bodies part
@@ -31,6 +33,9 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
         until = min((scene.impactor.end + _closing_time(scene.impactor, given)) / given.trip + 2.0, MAX_ROUND_TRIPS)
     history = ExactHistory(given, until, tolerance)
     if not history.gave_up:
+        if _touches(history) > FEW_CONTACTS:
+            magnified = SURE * _difference(history, ExactHistory(given, until, LOOSER * tolerance))
+            history.error = max(history.error, magnified)
         return history
     reach, coarse, sprung = history.reach, None, given.chain.spring > 0.0  # of which the grid knows nothing
     whole = history if sprung else None
@@ -56,6 +61,13 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
     grid.error = max(grid.error, SURE * _difference(grid, rough))
     _look_closer(grid)
     return grid if coarse is None or (grid.error < coarse.error and not grid.cut) else coarse
+
+
+def _touches(history: ExactHistory) -> int:
+    """The most of any faces that open and close."""
+    joints = range(history.contact + 1, len(history.rods))
+    opening = [node for node in joints if history.chain.kind[node] != BONDED]
+    return max(len(history.contacts), *(len(history.periods(node)) for node in opening), 0)
 
 
 def _look_closer(grid: GridHistory) -> None:

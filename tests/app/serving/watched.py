@@ -1,5 +1,9 @@
 """The command, which says in its log what has taken the event loop for too long, in seconds of its own thread, whatever
-else the machine does, and what it was doing. Run as a program."""
+else the machine does, and what it was doing. Run as a program.
+
+To look for garbage is counted apart, by objects that are looked through: its time is that of memory, which on a busy
+machine others use, and a page of few objects is all that can be done for it.
+"""
 
 import asyncio
 import gc
@@ -10,10 +14,10 @@ import time
 import traceback
 
 TOLD = 0.02  # s, of which it is told
-MARK = "TAKEN"
+MARK, LOOKED = "TAKEN", "LOOKED THROUGH"
 RUN = asyncio.Handle._run
 PID, THREAD = os.getpid(), threading.get_ident()
-under_way, seen = False, []
+under_way, collecting, seen = False, 0.0, []
 
 
 def told(log: str) -> list[tuple[float, str]]:
@@ -22,16 +26,32 @@ def told(log: str) -> list[tuple[float, str]]:
     return [(float(seconds), doing[:4_000]) for seconds, doing in parts]
 
 
+def looked_through(log: str) -> list[int]:
+    """How many objects, of each whole collection that a log tells."""
+    return [int(part.split()[0]) for part in log.split(f"{LOOKED} ")[1:]]
+
+
+def collected(phase: str, found: dict[str, int]) -> None:
+    """What Python calls before and after it looks for garbage."""
+    global collecting
+    if os.getpid() != PID:
+        return
+    if phase == "start" and found["generation"] == 2:
+        print(f"{LOOKED} {len(gc.get_objects())} objects", flush=True)
+    if threading.get_ident() == THREAD:
+        collecting += time.thread_time() * (-1 if phase == "start" else 1)
+
+
 def timed(handle: asyncio.Handle) -> None:
     """Run a callback of the loop."""
-    global under_way
+    global under_way, collecting
     if os.getpid() != PID or threading.get_ident() != THREAD:
         RUN(handle)
         return
     seen.clear()
-    begun, under_way = time.thread_time(), True
+    begun, under_way, collecting = time.thread_time(), True, 0.0
     RUN(handle)
-    under_way, taken = False, time.thread_time() - begun
+    under_way, taken = False, time.thread_time() - begun - collecting
     if taken > TOLD:
         print(f"{MARK} {taken:.3f} s", *seen, flush=True)
 
@@ -52,6 +72,6 @@ if __name__ == "__main__":
 
     document.GC_DEBOUNCE = 1  # as many leave in a minute as elsewhere in an hour
     asyncio.Handle._run = timed
-    gc.callbacks.append(lambda phase, found: seen.append(f"\ngc {found['generation']} {phase}"))
+    gc.callbacks.append(collected)
     threading.Thread(target=look, daemon=True).start()
     main()
