@@ -1,11 +1,12 @@
 """The front that sets out as faces of rods meet: until a wave is back that adds to it no contact force exceeds it, and
 between rigid faces that is the force, whatever a method makes of it."""
 
+import math
 from typing import Any
 
 import numpy as np
 
-from ..bodies import AnyBody, Mechanism, RotatingRod
+from ..bodies import AnyBody, Mechanism, RotatingRod, Waveguide
 from ..scene import Scene
 from ..solution.motion import ResolvesForce
 from ..solution.solution import Solution
@@ -66,9 +67,13 @@ def _front(body: AnyBody) -> tuple[float, float] | None:
     """Impedance of the end that meets the other body [kg/s], and when a wave that adds to the force is first back [s]:
     what a free end sends back takes away from it."""
     if body.rods:
-        first = body.rods[0]
-        free = len(body.rods) == 1 and first.support == "free" and not first.end_mass
-        return first.impedance, first.round_trip_time * (2.0 if free else 1.0)
+        first, *others = body.rods
+        trip, last = first.round_trip_time, first
+        for rod, joint in zip(others, body.known_as(Waveguide).joints, strict=True):
+            if not joint.bonded or not math.isclose(rod.impedance, first.impedance, rel_tol=1e-9):
+                return first.impedance, trip
+            trip, last = trip + rod.round_trip_time, rod
+        return first.impedance, trip * (2.0 if last.support == "free" and not last.end_mass else 1.0)
     if isinstance(body, RotatingRod) and not body.across:
         wave_speed = (body.material.young / body.material.density) ** 0.5
         return body.impedance, 2.0 * body.length / wave_speed

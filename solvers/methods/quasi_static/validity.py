@@ -104,8 +104,8 @@ def _softness(rod: Rod) -> float:
 
 
 def _given(scene: Scene) -> float:
-    """The energy that shares are of [J]: that of the approach, which is the same from wherever it is seen, of the masses
-    that the bodies have where they meet as they move as a whole: a beam turns, too.
+    """The energy that shares are of [J]: that of the approach, the same from wherever it is seen, of the masses that
+    the bodies have where they meet while they move as a whole: a beam turns, too.
     """
     bodies = scene.impactor, scene.target
     if not any(isinstance(body, Bending) for body in bodies):
