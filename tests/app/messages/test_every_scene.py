@@ -12,6 +12,7 @@ from app.messages.encoding import read_header
 from app.messages.schema import check
 from app.messages.solve import solve_frame
 
+from ... import golden
 from .own import arrays, own_message
 
 LARGEST = (
@@ -38,6 +39,7 @@ def test_every_scene_is_drawn_and_reported_as_it_says(name):
     assert scene.note[:40] in str(solution)
     frame = checked(own_message(name))
     assert frame["note"] == scene.note
+    assert golden.differences(name, golden.shown(name)) == []  # `python -m tests.golden` keeps what is meant
     if frame["kind"] == "axial" and solution.impactor_velocity is not None:
         columns = [column for column in (frame["exact"], frame["other"]) if column]
         assert all(each["travelling"] == (each["name"] == "waves") for each in columns)
