@@ -23,7 +23,7 @@ test('a method with its resolution', () => {
 
 test('of which solution a picture is, and how wrong that may be', () => {
   const solution = (/** @type {number | null} */ estimated_error, /** @type {any[]} */ ...notes) =>
-    byOf('modes', errorsOf({ diagnostics: { estimated_error }, notes }));
+    byOf('modes', errorsOf({ diagnostics: { estimated_error }, notes })).map((each) => each.replaceAll('\u00a0', ' '));
   const ripples = (/** @type {number} */ share) => ({ code: 'law-ripples', severity: 'warning', values: { share } });
   assert.deepEqual(solution(null), ['solved by modes']);
   assert.deepEqual(solution(0.0152), ['solved by modes', 'error of rebound 1.5 %']);

@@ -22,7 +22,7 @@ def test_a_lesson_about_one_solution_does_not_say_how_it_was_found(open_page):
     by = "() => strikewave.page.opening.section.shown?.by"
     page = open_page("?scene=fixed-rod&layout=opening&method=modal")
     page.wait("() => strikewave.page.opening.section.shown")
-    method, rebound, peak = page.evaluate(by)
+    method, rebound, peak = (each.replace("\xa0", " ") for each in page.evaluate(by))
     assert "solved by modes" in method
     other, exact = page.evaluate("() => [strikewave.page.frame.other, strikewave.page.frame.exact]")
     assert rebound.endswith(f"{100 * abs(other['final'] - exact['final']):.2g} %")  # its own, not that of exact waves
