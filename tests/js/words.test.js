@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { described, numeral, said, text } from '../../app/static/text/catalogue.js';
 import { unbroken } from '../../app/static/text/format.js';
 import { noteOf } from '../../app/static/frame/story.js';
-import { called, LABELS } from '../../app/static/text/words.js';
+import { byOf, called, errorsOf, LABELS } from '../../app/static/text/words.js';
 
 test('a method with its resolution', () => {
   assert.equal(described('modal modes=50'), '50 modes');
@@ -19,6 +19,15 @@ test('a method with its resolution', () => {
   assert.equal(called({ name: 'fe-modal', modes: 1 }), 'FE modal superposition, 1 mode');
   assert.equal(called({ name: 'fe-nodal', elements: 4 }), '4 finite elements');
   assert.equal(called({ name: 'rigid' }), 'rigid bodies');
+});
+
+test('of which solution a picture is, and how wrong that may be', () => {
+  const solution = (/** @type {number | null} */ estimated_error, /** @type {any[]} */ ...notes) =>
+    byOf('modes', errorsOf({ diagnostics: { estimated_error }, notes })).map((each) => each.replaceAll('\u00a0', ' '));
+  const ripples = (/** @type {number} */ share) => ({ code: 'law-ripples', severity: 'warning', values: { share } });
+  assert.deepEqual(solution(null), ['solved by modes']);
+  assert.deepEqual(solution(0.0152), ['solved by modes', 'error of rebound 1.5 %']);
+  assert.deepEqual(solution(1e-9, ripples(87)).slice(1), ['error of rebound < 10⁻⁵ %', 'of peak force 87 %']);
 });
 
 test('a note names things as the controls do', () => {

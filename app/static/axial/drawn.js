@@ -1,4 +1,5 @@
 // Which solution of an impact along an axis the picture shows, and the words with it.
+import { byOf, called, errorsOf } from '../text/words.js';
 
 /** @import { AxialFigures, AxialFrame } from '../messages.js' */
 
@@ -29,3 +30,18 @@ export const drawnRigid = (frame) =>
  * @returns {AxialFigures}
  */
 export const toldOf = (frame) => (drawnRigid(frame) && frame.other) || frame.exact;
+
+/**
+ * What the picture is drawn of, in words: beside another solution its errors are what it differs by.
+ * @param {AxialFrame} frame
+ */
+export function drawnBy(frame) {
+  const { exact, other } = frame;
+  const errors = errorsOf(exact);
+  if (!other || !drawnFromOther(frame)) return byOf(called(exact), errors);
+  const away = other.final === null || exact.final === null ? null : Math.abs(other.final - exact.final);
+  return byOf(called(other), {
+    rebound: away === null ? errors.rebound : Math.max(away, errors.rebound ?? 0),
+    peak: other.peakForce && exact.peakForce ? Math.abs(other.peakForce / exact.peakForce - 1) : null,
+  });
+}

@@ -4,7 +4,7 @@ import { times } from '../clock/times.js';
 import { between } from '../charts/scale.js';
 import { text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
-import { byOf, called } from '../text/words.js';
+import { byOf, called, errorsOf } from '../text/words.js';
 
 /** @import { Series } from '../charts/chart.js' */
 /** @import { AxialFrame } from '../messages.js' */
@@ -129,7 +129,7 @@ export function tracksOf(frame, field, forces) {
     ],
   });
   return {
-    by: byOf(called(exact), exact.diagnostics.estimated_error),
+    by: byOf(called(exact), errorsOf(exact)),
     clock: times.shown,
     drawn: null,
     tracks,

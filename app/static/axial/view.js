@@ -10,11 +10,11 @@ import { Stack } from '../frame/stack.js';
 import { TRIPS, times } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
-import { byOf, called } from '../text/words.js';
+import { byOf, called, errorsOf } from '../text/words.js';
 import { Displacements, Force, SpaceTime } from './charts.js';
 import { cradleRows } from './cradle_rows.js';
 import { Cycle } from './cycle.js';
-import { drawnFromOther } from './drawn.js';
+import { drawnBy, drawnFromOther } from './drawn.js';
 import { exactFieldOf, fieldOf, otherFieldOf } from './field_of.js';
 import { RigidField, unitOf } from './fields.js';
 import { Moments } from './moments.js';
@@ -194,8 +194,6 @@ export class AxialView {
     const { field, force, frame, stage, what } = this;
     if (frame.target.row && stage.row.length) return this.#row(cradleRows(frame, stage));
     if (!frame.rods.length) return tracksOf(frame, field, force.chart.own.series);
-    const drawnOf = drawnFromOther(frame) ? (frame.other ?? frame.exact) : frame.exact;
-    const by = byOf(called(drawnOf), frame.exact.diagnostics.estimated_error);
     const forces = force.chart.own.series.filter(({ style }) => style !== 'raw');
     if (field instanceof RigidField || !forces[0]?.x.length) return null;
     const { largest, place, scale } = stage;
@@ -211,7 +209,7 @@ export class AxialView {
     const clock = times.shown;
     return {
       about,
-      by,
+      by: drawnBy(frame),
       clock,
       contacts: frame.exact.contacts,
       drawn,
@@ -238,11 +236,11 @@ export class AxialView {
    */
   #row(rows) {
     const { force, frame } = this;
-    const { contacts, diagnostics } = frame.exact;
+    const { contacts } = frame.exact;
     return {
       ...rows,
       ...{ about: text('opening.pressed'), title: text('opening.rows', { what: 'row' }), what: 'push', scale: 0 },
-      by: byOf(called(frame.exact), diagnostics.estimated_error),
+      by: byOf(called(frame.exact), errorsOf(frame.exact)),
       clock: times.shown,
       contacts,
       duration: frame.duration,

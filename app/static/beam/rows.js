@@ -1,7 +1,7 @@
 // What the opening draws of a beam below its stage: place across, time down.
 import { unitOfTime } from '../clock/times.js';
 import { family, text } from '../text/catalogue.js';
-import { byOf, called } from '../text/words.js';
+import { byOf, called, errorsOf } from '../text/words.js';
 
 /** @import { Series } from '../charts/chart.js' */
 /** @import { BeamFigures, BendingFrame } from '../messages.js' */
@@ -39,7 +39,7 @@ export function sectionOf(frame, field, what, stage, series) {
     title: text('opening.rows', { what: 'beam' }),
     about: what === 'moment' ? text('opening.bending') : text('beam.chart.red', { what: QUANTITIES[what], way }),
     clock: unitOfTime(duration),
-    by: byOf(called(frame.main), frame.main.diagnostics.estimated_error),
+    by: byOf(called(frame.main), errorsOf(frame.main)),
     contacts,
     drawn: stage.drawn,
     duration,

@@ -1,7 +1,7 @@
 // What the opening draws of a mechanism below its stage: impulses or force, the gap, the bending of a link, a pin.
 import { boxOf } from '../charts/scale.js';
 import { given } from '../wire/message.js';
-import { byOf, called, jointOf, linkOf } from '../text/words.js';
+import { byOf, called, errorsOf, jointOf, linkOf } from '../text/words.js';
 import { text } from '../text/catalogue.js';
 import { unitOfTime } from '../clock/times.js';
 import { valuesOf } from './reactions.js';
@@ -57,7 +57,7 @@ export function tracksOf(frame, field, forces, stretch, largest) {
       rows: { field, what: 'moment', largest, duration },
     });
   return {
-    by: byOf(called(main), main.diagnostics.estimated_error),
+    by: byOf(called(main), errorsOf(main)),
     clock: unitOfTime(stretch[1]),
     drawn: null,
     tall: right - left < FLAT * (high - low),

@@ -33,7 +33,7 @@ const TIMES = 10; // pixels before them
 /**
  * @typedef {object} Over  what all share
  * @property {[per: number, sign: string]} clock  how many of the unit in which times are written one is
- * @property {string} by  which solution it is of
+ * @property {string[]} by  which solution it is of, and how wrong that may be; nothing of one that is not weighed
  * @property {Track[]} [tracks]  beside the force; where nothing lies as it is drawn above, in its place
  */
 /**
@@ -112,7 +112,7 @@ export class Section {
       const beside = [...this.besides, ...this.first];
       const called = this.called || (this.first.length && !this.besides.length ? text('lesson.now') : '');
       shown = withBesides(shown, beside, called, this.page.frame);
-      if (!this.besides.length) shown = { ...shown, by: '' }; // a lesson about one solution does not weigh it
+      if (!this.besides.length) shown = { ...shown, by: [] }; // a lesson about one solution does not weigh it
     }
     this.shown = shown;
     this.root.hidden = !shown;
@@ -158,7 +158,12 @@ export class Section {
     striker(c, this, shown);
     if (!shown.ends && !shown.scale && !shown.feet) struck(c, this, shown);
     const forces = this.guess ? [...shown.forces, this.guess] : shown.forces;
+    c.save();
+    c.beginPath();
+    c.rect(this.box.base - this.box.track, this.box.top, width, this.box.tall); // ripples may leave the scale
+    c.clip();
     for (const series of forces.toReversed()) curve(c, this, series);
+    c.restore();
     this.#names(c, forces);
     feet(this, shown);
     traces(c, this, shown);
@@ -243,7 +248,9 @@ export class Section {
     const after = drawn.left + c.measureText(`${title} `).width;
     if (after + c.measureText(about).width < width) c.fillText(about, after + 8, top - 8);
     const beside = Math.max(drawn.left, from + long + 12);
-    c.fillText(by, beside, top - 8 - LABEL.line * zoom, width - beside - 8);
+    const room = width - beside - 8;
+    const fits = c.measureText(by.join(', ')).width < room || by.length < 2;
+    c.fillText((fits ? by : by.slice(1)).join(', '), beside, top - 8 - LABEL.line * zoom, room);
     c.fillStyle = WALL;
     if (held) c.fillRect(drawn.right, top, 5, tall);
   }
@@ -267,7 +274,7 @@ export class Section {
     c.fillStyle = COLORS.faint;
     c.textAlign = 'right';
     c.textBaseline = 'alphabetic';
-    c.fillText(by, width - FOOT, LABEL.line * zoom - 3);
+    c.fillText(by.join(', '), width - FOOT, LABEL.line * zoom - 3);
   }
   /**
    * What the curves are, in their colours, where they have come to rest.
@@ -278,11 +285,12 @@ export class Section {
     const { base, tall, top } = this.box;
     const named = forces.filter(({ cursor }) => cursor);
     c.font = letters(13, '600 ');
-    named.forEach(({ cursor = '', style }, k) => {
+    let y = top + tall - 8;
+    for (const { cursor = '', style } of named.toReversed()) {
       const x = Math.max(base - 10, c.measureText(cursor).width + 16 * zoom);
-      const y = top + tall - 8 - (named.length - 1 - k) * LABEL.line * zoom;
-      this.words.say(cursor, x, y, STYLES[style].color, c.font, 'right');
-    });
+      const said = () => this.words.say(cursor, x, y, STYLES[style].color, c.font, 'right');
+      for (let free = false; !free && y > top; y -= LABEL.line * zoom) free = said(); // times may stand in its way
+    }
   }
   /**
    * The peak, beside the curve where it leaves room.
@@ -301,7 +309,7 @@ export class Section {
     const [at, down] = [this.x(y[most] * factor), this.y(x[most])];
     const edge = this.tracks.length ? this.box.track : TRACK.least;
     const beside = at - wide >= edge;
-    const left = beside ? at - wide : Math.max(Math.min(edge, base - wide), this.tracks.length ? edge : 18 * zoom);
+    const left = beside ? at - wide : Math.max(Math.min(edge, base - wide), this.tracks.length ? edge : 4 * zoom);
     const high = tall + LABEL.line * zoom; // with what it is
     const clear = (/** @type {number} */ top) => {
       for (let k = 0; k < x.length; k++) {

@@ -45,12 +45,15 @@ export class Words {
    * @param {string} color
    * @param {string} [font]
    * @param {CanvasTextAlign} [align]
+   * @returns {boolean}  whether there is room for it
    */
   say(words, x, y, color, font = letters(13), align = 'left') {
     let word = this.#measured({ words, x, y, color, font, align });
     const beyond = word.box[2] - this.edge;
     if (beyond > 0) word = this.#measured({ ...word, x: x - beyond });
-    if (this.#clear(word)) this.all.push(word);
+    const clear = this.#clear(word);
+    if (clear) this.all.push(word);
+    return clear;
   }
   /**
    * @param {Written} word

@@ -72,7 +72,7 @@ export function tracksOf(frame) {
   const most = pressed(frame);
   const [per, sign] = scaled(most, 'N s');
   return {
-    by: text('opening.track.clock'),
+    by: [text('opening.track.clock')],
     clock: [(per * most) / IMPACT, sign],
     drawn: null,
     tall: true,

@@ -2,6 +2,9 @@
 import { family, methodOf, named, text } from './catalogue.js';
 import { share } from './format.js';
 
+const LEAST_PEAK = 0.01; // error of a peak force that is worth a word
+
+/** @import { Note } from './catalogue.js' */
 /** @typedef {{ name: string, modes?: number | null, elements?: number | null, model?: string | null }} Called */
 
 /** @param {Called} solution */
@@ -19,11 +22,31 @@ export const called = ({ name, modes, elements, model }) =>
       : methodOf(name, model ?? '');
 
 /**
+ * @typedef {object} Errors  none: unknown, or too small to matter
+ * @property {number | null} rebound  of the impact speed
+ * @property {number | null} [peak]  of the peak force
+ */
+/**
+ * Estimated errors of a solution; a sum of modes or elements may ripple behind a front.
+ * @param {{ diagnostics: { estimated_error: number | null }, notes: Note[] }} solution
+ * @returns {Errors}
+ */
+export const errorsOf = ({ diagnostics, notes }) => ({
+  rebound: diagnostics.estimated_error,
+  peak: Number(notes.find(({ code }) => code.endsWith('-ripples'))?.values.share ?? 0) / 100,
+});
+
+/**
  * Of which solution a picture is, and how wrong that may be.
  * @param {string} method  what it is called
- * @param {number | null} error  estimated of the rebound, of the impact speed
+ * @param {Errors} errors
+ * @returns {string[]}
  */
-export const byOf = (method, error) => text('opening.by', { method, error: error ? share(error) : 'none' });
+export const byOf = (method, { rebound, peak }) => [
+  text('opening.by', { method }),
+  ...(rebound ? [text('opening.rebound', { error: share(rebound) })] : []),
+  ...(peak && peak >= LEAST_PEAK ? [text('opening.peak-force', { error: share(peak) })] : []),
+];
 
 /**
  * What a choice is called, its unit, and what its options are called.
