@@ -22,7 +22,6 @@ BUILT = ROOT / "build" / "machines"
 PYTHONS = "3.12", "3.13", "3.14"  # besides the one that runs this
 VARIED = "numpy", "scipy", "numba"  # whose lowest and newest allowed versions are tried
 FOLLOW = "llvmlite", "pandas", "xarray", "contourpy"  # which some of those ask for in other versions
-LIBRARY = *VARIED, "babel", "threadpoolctl"  # all that `solvers` needs
 NUDGES = -3e-12, -1e-12, 1e-12, 3e-12  # relative changes of what is given, far above rounding
 CHAOTIC = 1e4  # times what is given is changed, above which a result hangs on the last bits
 
@@ -169,30 +168,19 @@ def install() -> None:
         else:
             print(f"Python {version} is not installed, and is left out.")
     for place, (python, constraints) in wanted.items():
-        _install(place, python, constraints, ["-e", ".[test]"])
+        _install(place, python, constraints)
 
 
-def newest_python() -> Machine | None:
-    """The newest other Python that there is, with what the library needs; None where there is no other."""
-    found = {version: python for version in PYTHONS if (python := _python(version))}
-    if not found:
-        return None
-    version = max(found, key=lambda each: int(each.partition(".")[2]))
-    pinned = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
-    return _install(f"library-{version}", found[version], pinned, list(LIBRARY))
-
-
-def _install(place: str, python: str, constraints: list[str], what: list[str]) -> Machine:
-    """Have these packages in an environment of that name."""
+def _install(place: str, python: str, constraints: list[str]) -> None:
+    """Have an environment of that name."""
     folder = BUILT / place
     if not (folder / ".installed").exists():
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "constraints.txt").write_text("\n".join(constraints) + "\n", encoding="utf-8")
         subprocess.run([python, "-m", "venv", folder], check=True)
         pip = [folder / "bin" / "pip", "install", "--quiet", "--no-compile", "--disable-pip-version-check"]
-        subprocess.run([*pip, "--constraint", folder / "constraints.txt", *what], cwd=ROOT, check=True)
+        subprocess.run([*pip, "--constraint", folder / "constraints.txt", "-e", ".[test]"], cwd=ROOT, check=True)
         (folder / ".installed").touch()
-    return _installed(place)
 
 
 def _installed(place: str) -> Machine:

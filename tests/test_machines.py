@@ -26,19 +26,7 @@ def allowed(own):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", machines.of_this_processor())
 def test_scenes_give_the_same_on_another_machine(name, own, allowed):
-    _gives_the_same(machines.of_this_processor()[name], own, allowed)
-
-
-@pytest.mark.slow
-def test_scenes_give_the_same_on_the_newest_python(own, allowed):
-    newest = machines.newest_python()
-    if newest is None:
-        pytest.skip("no other Python is installed")
-    _gives_the_same(newest, own, allowed)
-
-
-def _gives_the_same(machine, own, allowed):
-    theirs = machines.measured(machine, SCENES)
+    theirs = machines.measured(machines.of_this_processor()[name], SCENES)
     for scene, seen in own.items():
         assert theirs[scene].key == seen.key
         found, of = machines.difference(seen.figures, theirs[scene].figures)

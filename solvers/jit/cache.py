@@ -26,6 +26,7 @@ from . import compiling, machine_code, shortcuts
 log = logging.getLogger("strikewave")
 LIBRARY = Path(__file__).resolve().parents[1]
 ROOM = 2**20  # bytes: the largest kernel has as many
+SAID = "text", "validation.py"  # refusals and notes, of which machine code has nothing
 IMPORTED = re.compile(r"^from (\.+)([\w.]*) import (\([^)]*\)|.*)", re.MULTILINE)
 
 
@@ -69,13 +70,15 @@ def _closure(source: Path) -> set[Path]:
 
 @lru_cache
 def _imports(source: Path) -> frozenset[Path]:
-    """Files of the library that this one imports by name; not what a package collects in its `__init__`."""
+    """Files of the library that this one imports by name, but for what is `SAID`, and what a package collects in its
+    `__init__`.
+    """
     found = set()
     for dots, module, names in IMPORTED.findall(source.read_text(encoding="utf-8")):
         folder = source.parents[len(dots) - 1].joinpath(*module.split("."))
         found |= {folder.with_suffix(".py")} if module else set()
         found |= {folder / f"{name}.py" for name in re.findall(r"\w+", names)}
-    return frozenset(each for each in found if each.is_file())
+    return frozenset(each for each in found if each.is_file() and each.relative_to(LIBRARY).parts[0] not in SAID)
 
 
 def cache_home() -> Path:

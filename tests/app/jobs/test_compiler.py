@@ -48,17 +48,17 @@ def compiler(tmp_path, monkeypatch):
 def test_who_asks_twice_is_answered_once_and_a_refusal_is_an_answer(compiler):
     first, second = (compiler.ask("solve_frame", IN_SPACE) for _ in range(2))
     assert first is second
-    first.result(60)
-    compiler.ask("solve_frame", {**IN_SPACE, "speed": -1.0}).result(60)
+    first.result(SECONDS)
+    compiler.ask("solve_frame", {**IN_SPACE, "speed": -1.0}).result(SECONDS)
 
 
 @pytest.mark.slow
 def test_if_the_process_dies_nobody_waits_and_the_next_one_is_served(compiler):
-    compiler.ask("solve_frame", IN_SPACE).result(60)
+    compiler.ask("solve_frame", IN_SPACE).result(SECONDS)
     compiler._process.kill()
-    compiler.ask("solve_frame", Choices().chosen()).result(5)
-    compiler._process.wait(5)
-    compiler.ask("solve_frame", IN_SPACE).result(60)
+    compiler.ask("solve_frame", Choices().chosen()).result(SECONDS)
+    compiler._process.wait(SECONDS)
+    compiler.ask("solve_frame", IN_SPACE).result(SECONDS)
     assert compiler._process.poll() is None
 
 
@@ -66,10 +66,10 @@ def test_if_the_process_dies_nobody_waits_and_the_next_one_is_served(compiler):
 def test_it_ends_when_nothing_is_asked_and_is_started_again(compiler, monkeypatch):
     """It kept 638 MB for ever."""
     monkeypatch.setattr(compiler_module, "IDLE_SECONDS", 0.5)
-    compiler.ask("solve_frame", IN_SPACE).result(120)
+    compiler.ask("solve_frame", IN_SPACE).result(SECONDS)
     first = compiler._process
-    assert first.wait(60) == 0
-    compiler.ask("solve_frame", IN_SPACE).result(120)
+    assert first.wait(SECONDS) == 0
+    compiler.ask("solve_frame", IN_SPACE).result(SECONDS)
     assert compiler._process is not first
 
 
@@ -240,7 +240,7 @@ def test_an_answer_that_takes_long_is_announced(gated_page):
 
 @pytest.mark.slow
 def test_a_process_that_hangs_is_replaced_and_nobody_waits_without_end(compiler, monkeypatch, caplog):
-    compiler.ask("solve_frame", IN_SPACE).result(60)
+    compiler.ask("solve_frame", IN_SPACE).result(SECONDS)
     hanging = compiler._process
     hanging.send_signal(signal.SIGSTOP)
     monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 1.5)
@@ -253,13 +253,13 @@ def test_a_process_that_hangs_is_replaced_and_nobody_waits_without_end(compiler,
     assert run(wait(), 60.0) > 1.0
     assert hanging.wait(30) == -signal.SIGKILL and "was ended" in caplog.text
     monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 60.0)
-    compiler.ask("solve_frame", IN_SPACE).result(60)  # the next one is served by another
+    compiler.ask("solve_frame", IN_SPACE).result(SECONDS)  # the next one is served by another
     assert compiler._process is not hanging
 
 
 @pytest.mark.slow
 def test_one_that_is_busy_but_says_so_is_left_alone(compiler, monkeypatch):
-    compiler.ask("solve_frame", IN_SPACE).result(60)
+    compiler.ask("solve_frame", IN_SPACE).result(SECONDS)
     monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 5.0)
     compiler.end_if_hanging()  # nobody waits
     assert compiler._process.poll() is None

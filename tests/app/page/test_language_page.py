@@ -65,6 +65,7 @@ STATES = {  # a query, and what is done then
     "?scene=figure-5.24&panel=stretch": (),
     "?scene=table-6.4&panel=convergence": (),
 }
+SPANISH = 4  # of these, with all that is opened from the bar, a refusal, a law and analyses
 
 
 @pytest.fixture(scope="module")
@@ -122,13 +123,13 @@ POINT = re.compile(r"[−±+<>~ ]*\d+\.\d")  # at the begin of ticks, cells, fie
 
 
 def test_nothing_of_the_page_is_left_in_english_on_the_spanish_one(open_page):
-    """Of what it says itself; and numbers have a comma."""
+    """Of what it says itself; and numbers have a comma. That no word is bare is seen above, in all states."""
     spanish, source = own("page", "es"), own("page", SOURCE)
     source.pop("document.language")  # which the switch says
     english = {text for text in source.values() if text not in spanish.values() and "{" not in text}
     fixed = set(spanish.values())
     found, points = {}, {}
-    for query, acts in STATES.items():
+    for query, acts in list(STATES.items())[:SPANISH]:
         page = open_page(query, script=DRAWN, locale="es-CO")
         for act in acts:
             page.evaluate(f"() => {{ {act}; }}")

@@ -14,7 +14,7 @@ from numba import types
 from numba.core.dispatcher import Dispatcher
 
 import solvers
-from solvers.jit import kernels, methods, reference
+from solvers.jit import cache, kernels, methods, reference
 from solvers.jit.kernels import address, allocating_kernel, inner_kernel, kernel
 from solvers.jit.reference import refer, referred
 
@@ -186,6 +186,7 @@ class OutsideKernels(ast.NodeVisitor):
 
     def __init__(self, source):
         self.called, self.imported, self.inner, self.inside = set(), set(), set(), 0
+        self.used = set()  # by kernels
         self.visit(ast.parse(source.read_text(encoding="utf-8")))
 
     def visit_FunctionDef(self, node):
@@ -200,10 +201,22 @@ class OutsideKernels(ast.NodeVisitor):
     def visit_ImportFrom(self, node):
         self.imported |= {((node.module or "").split(".")[-1], each.name) for each in node.names}
 
+    def visit_Name(self, node):
+        if self.inside:
+            self.used.add(node.id)
+
     def visit_Call(self, node):
         if not self.inside and isinstance(node.func, ast.Name):
             self.called.add(node.func.id)
         self.generic_visit(node)
+
+
+def test_kernels_use_nothing_of_what_is_said():
+    """Whose changes do not have them compiled again."""
+    said = {Path(each).stem for part in cache.SAID for each in (part, *(ROOT / "solvers" / part).glob("*.py"))}
+    for source in (ROOT / "solvers").rglob("*.py"):
+        file = OutsideKernels(source)
+        assert not {name for module, name in file.imported if module in said} & file.used, source
 
 
 @pytest.mark.slow
