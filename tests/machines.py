@@ -17,10 +17,13 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from . import foreign
+
 ROOT = Path(__file__).parents[1]
 BUILT = ROOT / "build" / "machines"
 PYTHONS = "3.12", "3.13", "3.14"  # besides the one that runs this
 VARIED = "numpy", "scipy", "numba"  # whose lowest and newest allowed versions are tried
+PAGE = "newest-page"  # the place of the newest Panel, param, Bokeh and Tornado
 FOLLOW = "llvmlite", "pandas", "xarray", "contourpy"  # which some of those ask for in other versions
 NUDGES = -3e-12, -1e-12, 1e-12, 3e-12  # relative changes of what is given, far above rounding
 CHAOTIC = 1e4  # times what is given is changed, above which a result hangs on the last bits
@@ -168,18 +171,19 @@ def install() -> None:
         else:
             print(f"Python {version} is not installed, and is left out.")
     for place, (python, constraints) in wanted.items():
-        _install(place, python, constraints)
+        _install(place, python, constraints, ["-e", ".[test]"])
+    _install(PAGE, sys.executable, [], list(foreign.LIBRARIES))
 
 
-def _install(place: str, python: str, constraints: list[str]) -> None:
-    """Have an environment of that name."""
+def _install(place: str, python: str, constraints: list[str], what: list[str]) -> None:
+    """Have these packages in an environment of that name."""
     folder = BUILT / place
     if not (folder / ".installed").exists():
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "constraints.txt").write_text("\n".join(constraints) + "\n", encoding="utf-8")
         subprocess.run([python, "-m", "venv", folder], check=True)
         pip = [folder / "bin" / "pip", "install", "--quiet", "--no-compile", "--disable-pip-version-check"]
-        subprocess.run([*pip, "--constraint", folder / "constraints.txt", "-e", ".[test]"], cwd=ROOT, check=True)
+        subprocess.run([*pip, "--constraint", folder / "constraints.txt", *what], cwd=ROOT, check=True)
         (folder / ".installed").touch()
 
 
@@ -224,6 +228,12 @@ def run_tests(names: Sequence[str]) -> int:
     return len(failed)
 
 
+def rehearse() -> None:
+    """Say what would break the page with the newest of what it relies on."""
+    print(f"\n== {PAGE}", flush=True)
+    subprocess.run([_installed(PAGE).python, "-m", "tests.foreign"], cwd=ROOT, check=True)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--figures", nargs="+", metavar="SCENE", help="print what these scenes give")
@@ -236,6 +246,7 @@ def main() -> int:
         print(json.dumps({name: seen(name) for name in options.figures}))
         return 0
     install()
+    rehearse()
     return run_tests(options.only)
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import solvers
 from solvers import SceneError
+from solvers.contact.duration import exponent_of
 from solvers.jit.shortcuts import shorten
 
 from .lesson import add_commands as add_lesson_commands
@@ -267,9 +268,25 @@ def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> N
 
 def _scene(options: argparse.Namespace) -> solvers.Scene:
     scene = solvers.load(options.scene)
-    scene = scene.replace(parse_changes(options.changes)) if options.changes else scene
+    scene = _changed(scene, parse_changes(options.changes)) if options.changes else scene
     solvers.read_method(scene.method, scene)  # one that is named must exist, though a study may use others
     return scene
+
+
+def _changed(scene: solvers.Scene, changes: dict[str, Any]) -> solvers.Scene:
+    """The scene with these values. Raises SceneError, too, where another law has the stiffness in another unit."""
+    found = scene.replace(changes)
+    given = (scene.given or scene.table()).get("contact", {})
+    kept = "contact.law" in changes and "stiffness" in given and "contact.stiffness" not in changes
+    before, now = (f"N/m^{exponent_of(each.contact):g}".removesuffix("^1") for each in (scene, found))
+    if kept and "stiffness" in found.contact.KEYS and before != now:
+        stiffness = found.table()["contact"]["stiffness"]
+        raise SceneError(
+            "contact.law",
+            found.contact.NAME,
+            text("wanted.unit-of-stiffness", stiffness=f"{stiffness:g}", before=before, now=now),
+        )
+    return found
 
 
 def _warm(options: argparse.Namespace) -> int:

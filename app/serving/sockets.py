@@ -114,7 +114,7 @@ class Socket(WSHandler):
         return None if self._gone or connection is None else lab_of(connection.session.document)
 
     @property
-    def _open(self) -> bool:
+    def _is_open(self) -> bool:
         return not self._out and self.ws_connection is not None
 
     def get_websocket_protocol(self) -> Any:
@@ -128,7 +128,7 @@ class Socket(WSHandler):
         turnstile.charge(stranger, SOCKET_SECONDS)
         self._turn = asyncio.ensure_future(self._taken_in_turn(token, stranger))
         await asyncio.wait([self._turn])
-        if not self._open:
+        if not self._is_open:
             return
         self._charge(self._door.debt(self.address))
         TAKEN[self.session_id] = self._turn.result()

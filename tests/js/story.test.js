@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { eventsOf } from '../../app/static/axial/events.js';
 import { unitsOf } from '../../app/static/axial/story.js';
+import { endsOf } from '../../app/static/frame/falls.js';
 import { mechanismEvents } from '../../app/static/mechanism/resting_story.js';
 
 /**
@@ -38,6 +39,7 @@ test('an impulse in no time is one event, which says how large it is', () => {
  */
 const rod = (changed) => ({
   ...{ chosen: {}, rigid: true, duration: 3, stressUnit: 4e7, impactor: { kind: 'mass' }, rods: [{ mirror: 1 }] },
+  ...{ speed: 1, target: { held: true } },
   exact: { contacts: [[0, 1.5, 1, 1]], cutOff: [true], left: [0.135] },
   ...changed,
 });
@@ -126,4 +128,11 @@ test('of a mass on the far end it is told what it makes of the wave, and of the 
 test('of a row of balls it is told how the last one goes on', () => {
   const [, , last] = told({ rods: [], target: { kind: 'balls', row: [1] }, lastBall: [2.1, 0.9888] });
   assert.match(last, /^2\.1 The last ball .* 0\.989\sv/);
+});
+
+test('what falls is gone for good from what gives way to it, or where it goes on', () => {
+  const back = endsOf(9.81, true, -9.81);
+  assert.deepEqual([back.last, back.again.replaceAll('\u00a0', ' ')], ['falls', '2 s']);
+  for (const gone of [endsOf(0, true, -1), endsOf(9.81, false, -1), endsOf(9.81, true, 1), endsOf(-9.81, true, -1)])
+    assert.deepEqual(gone, { last: true, again: '' });
 });

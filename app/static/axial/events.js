@@ -1,6 +1,7 @@
 // What happens in an impact along an axis, one event after the other.
 import { family, text } from '../text/catalogue.js';
 import { engineering, figures, pretty, signed } from '../text/format.js';
+import { endsOf } from '../frame/falls.js';
 import { drawnRigid, toldOf } from './drawn.js';
 
 /** @import { AxialFigures, AxialFrame, Contact } from '../messages.js' */
@@ -46,6 +47,15 @@ const going = (velocity) => ({
 });
 
 /**
+ * Whether a contact is the last, see `endsOf`.
+ * @param {AxialFrame} frame
+ * @param {number} velocity  [v]
+ * @param {boolean} last
+ */
+const endOf = ({ speed, target, weight = 0 }, velocity, last) =>
+  last ? endsOf(weight, target.held, velocity * speed) : { last };
+
+/**
  * For bodies of any other kind: the contacts, and what the impactor does after each.
  * @param {AxialFrame} frame
  * @returns {Event[]}
@@ -64,7 +74,7 @@ function plainEvents(frame) {
       ? happens(start, 'axial.event.meets-again', { number: k + 1 })
       : happens(start, 'axial.event.touches', { striker, target: struck, waves });
     const last = k === contacts.length - 1;
-    const gone = { striker, last, ...going(left[k]) };
+    const gone = { striker, ...endOf(frame, left[k], last), ...going(left[k]) };
     const parts = happens(end, end > start ? 'axial.event.parts' : 'axial.event.one-impulse', gone);
     return [touches, last && stillTouching ? happens(end, 'axial.event.still-touching') : parts];
   });
@@ -140,7 +150,7 @@ function eventsOnOneRod(frame) {
   exact.contacts.forEach(([start, end], k) => {
     if (k > 0) found.push(happens(start, 'axial.event.recontact', { number: k + 1 }));
     const last = k === exact.contacts.length - 1;
-    found.push(last && exact.stillTouching ? happens(end, 'axial.event.still-touching') : parting(exact, k, fixed));
+    found.push(last && exact.stillTouching ? happens(end, 'axial.event.still-touching') : parting(frame, k, fixed));
   });
   return found;
 }
@@ -156,13 +166,15 @@ const spreadOf = ({ modalForce, other }) => {
 
 /**
  * How a contact on a rod ends.
- * @param {AxialFigures} exact
+ * @param {AxialFrame} frame
  * @param {number} k  its number
  * @param {boolean} fixed  the far end
  */
-const parting = ({ contacts, cutOff, left }, k, fixed) =>
-  happens(contacts[k][1], 'axial.event.ends', {
+function parting(frame, k, fixed) {
+  const { contacts, cutOff, left } = frame.exact;
+  return happens(contacts[k][1], 'axial.event.ends', {
     pulled: cutOff[k] && !fixed,
-    last: k === contacts.length - 1,
+    ...endOf(frame, left[k], k === contacts.length - 1),
     ...going(left[k]),
   });
+}

@@ -1,5 +1,6 @@
 // What happens in an impact on a beam, one event after the other, and why.
 import { family, text } from '../text/catalogue.js';
+import { endsOf } from '../frame/falls.js';
 import { duration, figures, length, percent, speed } from '../text/format.js';
 
 /** @import { BendingFrame, Support } from '../messages.js' */
@@ -159,7 +160,9 @@ function ending(frame) {
   if (main.stillTouching) return happens(end, 'still-touching', frame);
   const leaves = main.final ?? 0;
   const way = Math.abs(leaves) < 5e-4 * frame.speed ? 'stands' : leaves < 0 ? 'back' : 'on';
-  return happens(end, 'ends', frame, { last: contacts.length > 1, way, speed: speed(Math.abs(leaves)) });
+  const falls = endsOf(frame.weight ?? 0, frame.beam.held, leaves);
+  const values = { several: contacts.length > 1, ...falls, way, speed: speed(Math.abs(leaves)) };
+  return happens(end, 'ends', frame, values);
 }
 
 /**
@@ -172,7 +175,8 @@ export function reasonsOf(frame) {
   const held = waveless ? null : holding(frame);
   if (held) return tell('beam.why.held', frame, held);
   if (main.contacts > 1) return tell('beam.why.many', frame);
-  return tell(waveless ? 'beam.why.waveless' : 'beam.why.one', frame);
+  const values = endsOf(frame.weight ?? 0, frame.beam.held, main.final ?? 0);
+  return tell(waveless ? 'beam.why.waveless' : 'beam.why.one', frame, values);
 }
 
 /**

@@ -295,3 +295,26 @@ def test_a_share_of_its_speed_is_given_only_where_that_is_the_speed_of_the_impac
     main(["solve", name])
     shown = capsys.readouterr().out
     assert ("came at" in shown) == came and ("of its speed" in shown) != came
+
+
+@pytest.mark.parametrize(
+    "before, law, changes, refused",
+    [
+        ("linear", "hertz", (), "contact.stiffness in N/m^1.5: the 1e+06 of the law before is in N/m"),
+        ("linear", "hertz", ("contact.stiffness=1e9",), ""),
+        ("linear", "kelvin-voigt", ("contact.damping=10",), ""),
+        ("linear", "rigid", (), "contact.stiffness: got"),
+        ("hertz", "linear", (), "contact.stiffness in N/m: the 1e+06 of the law before is in N/m^1.5"),
+    ],
+)
+def test_a_stiffness_is_not_taken_over_by_a_law_that_has_it_in_another_unit(
+    capsys, tmp_path, before, law, changes, refused
+):
+    file = tmp_path / "pad.toml"
+    ball = {"impactor.radius": 0.02, "contact": {"law": before, "stiffness": 1e6}}
+    file.write_text(solvers.to_toml(solvers.load("free-rod").replace(ball)), encoding="utf-8")
+    given = [word for change in (f"contact.law={law}", *changes) for word in ("--set", change)]
+    if refused:
+        assert refused in refusal(capsys, "solve", str(file), *given)
+    else:
+        assert answer(capsys, "solve", str(file), *given)

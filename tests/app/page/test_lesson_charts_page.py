@@ -16,6 +16,11 @@ def test_the_force_of_a_contact_that_gives_way_is_a_line_without_stairs(open_pag
     assert (np.abs(np.diff(y))[moving] > 0.0).all()  # no stretch of the contact where it stays the same
     sent = page.evaluate("() => Math.max(...strikewave.page.frame.exactForce)")
     assert y.max() == sent
+    said = page.evaluate("() => strikewave.page.view.story.events.root.textContent")
+    back = 2.0 * abs(page.evaluate("() => strikewave.page.frame.exact.final * strikewave.page.frame.speed")) / 9.80665
+    assert (
+        f"Its weight brings it back in {1e3 * back:.0f}"[:-1] in said and "for good" not in said
+    )  # of three digits two
 
 
 def test_a_lesson_about_one_solution_does_not_say_how_it_was_found(open_page):
