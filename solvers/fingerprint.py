@@ -9,7 +9,7 @@ from functools import cache
 from hashlib import sha256
 from pathlib import Path
 
-from .jit.cache import LIBRARY, cache_home, sources_key
+from .jit.cache import LIBRARY, cache_home, keep_text, sources_key
 
 # Parts of the library that decide no result: what is said of it, and how kernels are compiled. What the latter does to
 # times is seen by `python -m bench --only shipped`, as is what a machine does.
@@ -42,10 +42,7 @@ def remembered(named: dict[str, tuple[list[Path], bool]]) -> dict[str, str]:
             return stored["found"]
     found = {name: fingerprint(*each) for name, each in named.items()}
     with suppress(OSError):
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        beside = kept.with_suffix(".part")
-        beside.write_text(json.dumps({"sources": sources_key(), "found": found}), encoding="utf-8")
-        beside.replace(kept)
+        keep_text(kept, json.dumps({"sources": sources_key(), "found": found}))
     return found
 
 

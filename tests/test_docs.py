@@ -32,7 +32,7 @@ from solvers.text.catalogue import CHOSEN, SOURCE
 from .patience import SECONDS
 
 ROOT = Path(__file__).parents[1]
-TOP = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
+TOP = [ROOT / f"{name}.md" for name in ("README", "CONTRIBUTING", "CHANGELOG", "SECURITY")]
 DOCS = ROOT / "docs"
 PAGES = [*TOP, *sorted(DOCS.rglob("*.md"))]
 IN_ENGLISH = {"es": ", en inglés"}  # what the page's help says of a document that a language does not have

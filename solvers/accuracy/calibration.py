@@ -8,7 +8,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from ..jit.cache import cache_home
+from ..jit.cache import cache_home, keep_text
 from ..provenance import machine
 from .measured_code import code_of
 from .three_solves import SECONDS, SOLVES, Times, measured
@@ -27,10 +27,7 @@ def calibrate(seconds: float = SECONDS) -> Times:
     found = measured(seconds)
     path = _path()
     with suppress(OSError):  # then it has to be measured again
-        path.parent.mkdir(parents=True, exist_ok=True)
-        beside = path.with_suffix(".part")
-        beside.write_text(json.dumps(found), encoding="utf-8")
-        beside.replace(path)
+        keep_text(path, json.dumps(found))
     _known[path] = found
     return found
 

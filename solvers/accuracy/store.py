@@ -2,11 +2,12 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from ..jit.cache import cache_home
+from ..jit.cache import cache_home, keep_text
 from ..scene import Scene
 
 SHIPPED = Path(__file__).parent / "tradeoffs"
@@ -38,14 +39,8 @@ def measured_here(scene: Scene, machine: Mapping[str, Any], code: Mapping[str, s
 
 def keep(scene: Scene, table: Mapping[str, Any]) -> None:
     """Write it to the cache; where that is not possible it will be measured again."""
-    path = _path(scene, table["machine"], table["code"])
-    beside = path.with_suffix(".part")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        beside.write_text(json.dumps(table, allow_nan=False), encoding="utf-8")
-        beside.replace(path)  # at once: a reader beside us sees all of it or nothing
-    except OSError:
-        return
+    with suppress(OSError):
+        keep_text(_path(scene, table["machine"], table["code"]), json.dumps(table, allow_nan=False))
 
 
 def shipped(scene: Scene) -> dict[str, Any] | None:

@@ -10,6 +10,7 @@ import re
 import shutil
 import sys
 import tempfile
+import threading
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import lru_cache
@@ -84,6 +85,21 @@ def _imports(source: Path) -> frozenset[Path]:
 def cache_home() -> Path:
     """Where this user's programs keep what they can make again."""
     return Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "strikewave"
+
+
+def keep_text(path: Path, text: str) -> None:
+    """Write a file of the user's cache so that whoever reads it sees all of it or none, whoever else writes it.
+
+    Raises OSError where nothing can be kept.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    beside = path.with_name(f"{path.name}.{os.getpid()}.{threading.get_ident()}")  # its own
+    try:
+        beside.write_text(text, encoding="utf-8")
+        beside.replace(path)
+    except OSError:
+        beside.unlink(missing_ok=True)
+        raise
 
 
 def _cache_folder() -> Path:

@@ -5,6 +5,7 @@ import pickle
 import shutil
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import ModuleType
 
@@ -307,3 +308,21 @@ def test_what_is_compiled_for_one_processor_is_not_taken_to_be_for_another(monke
 def test_kernels_that_are_given_a_linkage_are_compiled_again_when_its_file_has_changed(caller):
     folder = kept.LIBRARY / "numerics" / "multibody"
     assert {folder / "moving.py", folder / "variational.py", folder / "inertia.py"} <= kept._sources_of(folder / caller)
+
+
+def test_a_file_of_the_cache_is_whole_however_many_write_it(tmp_path):
+    path, length = tmp_path / "folder" / "known.json", 200_000
+    kept.keep_text(path, "0" * length)
+    with ThreadPoolExecutor(4) as pool:
+        writing = [pool.submit(kept.keep_text, path, str(digit) * length) for digit in range(10) for _ in range(5)]
+        while not all(each.done() for each in writing):
+            assert len(found := path.read_text(encoding="utf-8")) == length and len(set(found)) == 1
+    assert [each.result() for each in writing] == [None] * 50
+    assert list(path.parent.iterdir()) == [path]
+
+
+def test_where_nothing_can_be_kept_nothing_is_left(tmp_path):
+    (tmp_path / "known.json").mkdir()  # a folder in its place
+    with pytest.raises(OSError):
+        kept.keep_text(tmp_path / "known.json", "{}")
+    assert [each.name for each in tmp_path.iterdir()] == ["known.json"]
