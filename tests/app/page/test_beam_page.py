@@ -10,7 +10,7 @@ from app.messages.transverse import chosen_method
 from .hands import type_into
 from .test_page import check_slider, settled
 
-SCENE = "?scene=figure-8.15"
+SCENE = "figure-8.15"
 STUDIED = "name => strikewave.page.analyses[name].fresh"
 ALL_DRAWN = """() => [...strikewave.page.beam.inView.owed].every(({ chart }) => !chart.area.clientWidth)
   && strikewave.page.beam.inView.seen.size"""
@@ -20,8 +20,8 @@ STAGE_TOP = "() => strikewave.page.beam.stage.root.getBoundingClientRect().top +
 LONG = 120_000  # ms: in a fresh copy the kernels of the studies are compiled first
 
 
-def test_a_beam_is_drawn_and_its_story_shown(open_page):
-    page = open_page(SCENE)
+def test_a_beam_is_drawn_and_its_story_shown(anew):
+    page = anew(SCENE)
     contacts = page.header("main")["contacts"]
     assert contacts > 5
     expect(page.tab.get_by_role("heading", name=f"Why one impact is {contacts} contacts")).to_be_visible()
@@ -52,26 +52,26 @@ SLIDERS = {
 }
 
 
-def test_each_slider_of_a_beam_redraws_it(open_page):
-    page = open_page(SCENE)
+def test_each_slider_of_a_beam_redraws_it(anew):
+    page = anew(SCENE)
     for name, place in SLIDERS.items():
         check_slider(page, name, *place)
 
 
-@pytest.mark.parametrize("label, option", [("Support", "free-free"), ("Theory", "euler-bernoulli")])
-def test_each_picker_of_a_beam_redraws_it(open_page, label, option):
-    page = open_page(SCENE)
-    pixels = page.picture()
-    page.answered(lambda: page.tab.get_by_label(label, exact=True).select_option(option))
-    settled(page)
-    assert page.evaluate("name => strikewave.page.frame.beam[name]", label.lower()) == option
-    page.redrawn(pixels)
+def test_each_picker_of_a_beam_redraws_it_and_its_link_leads_there(anew, open_page):
+    page = anew(SCENE)
+    for label, option in (("Support", "free-free"), ("Theory", "euler-bernoulli")):
+        pixels = page.picture()
+        page.answered(lambda label=label, option=option: page.tab.get_by_label(label, exact=True).select_option(option))
+        settled(page)
+        assert page.evaluate("name => strikewave.page.frame.beam[name]", label.lower()) == option
+        page.redrawn(pixels)
     again = open_page("?" + page.tab.url.split("?")[1])
     assert again.header("chosen") == page.header("chosen")
 
 
-def test_the_browser_rebuilds_the_fields_of_the_library(open_page):
-    page = open_page(SCENE + "&damping=0.02")
+def test_the_browser_rebuilds_the_fields_of_the_library(anew):
+    page = anew(SCENE, damping=0.02)
     chosen = page.header("chosen")
     request = Request.of(chosen)
     scene = request.scene
@@ -92,8 +92,8 @@ def test_the_browser_rebuilds_the_fields_of_the_library(open_page):
             assert np.abs(np.array(drawn) - field(np.array([now]), x)[0]).max() < 2e-3 * largest, (what, t)
 
 
-def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(open_page):
-    page = open_page("?scene=hammer-on-cantilever", size=(1440, 720))
+def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(anew):
+    page = anew("hammer-on-cantilever", (1440, 720))
     page.wait("() => strikewave.page.beam.inView.seen.size")
     page.wait(ALL_DRAWN)
     owed = page.evaluate(
@@ -110,7 +110,7 @@ def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(open_page):
 
 
 def test_slow_motion_plays_the_first_contacts_and_asks_for_these_alone(open_page):
-    page = open_page(SCENE)
+    page = open_page(f"?scene={SCENE}")
     page.quiet()
     solved, top = page.evaluate("() => strikewave.frames"), page.evaluate(STAGE_TOP)
     page.tab.get_by_role("button", name="Slow motion").click()
@@ -127,20 +127,22 @@ def test_slow_motion_plays_the_first_contacts_and_asks_for_these_alone(open_page
     assert page.evaluate("() => strikewave.frames") == solved
 
 
-def test_colours_and_the_half_space_can_be_changed(open_page):
-    page = open_page(SCENE)
+def test_colours_and_the_half_space_can_be_changed(anew):
+    page = anew(SCENE)
+    half = page.tab.get_by_role("button", name="on a half-space")
     for act in (
         lambda: page.tab.get_by_role("button", name="shear", exact=True).click(),
-        lambda: page.tab.get_by_role("button", name="on a half-space").click(),
+        lambda: half.click(),
         lambda: page.tab.get_by_role("button", name="velocity", exact=True).last.click(),
     ):
         pixels = page.picture()
         act()
         page.redrawn(pixels)
+    half.click()  # as it was
 
 
-def test_how_far_to_trust_it(open_page):
-    page = open_page("?scene=figure-8.25")
+def test_how_far_to_trust_it(anew):
+    page = anew("figure-8.25")
     page.analysis("Sensitivity")
     page.wait(STUDIED, "trust", timeout=LONG)
     table = page.tab.locator(".study-trust table")
@@ -165,8 +167,8 @@ def test_how_far_to_trust_it(open_page):
     expect(page.tab.locator(".study-trust")).to_be_hidden()
 
 
-def test_energy_over_time_of_a_beam(open_page):
-    page = open_page(SCENE)
+def test_energy_over_time_of_a_beam(anew):
+    page = anew(SCENE)
     page.analysis("Energy over time")
     cursor = "() => strikewave.page.analyses.energy.figure.model('energy-cursor')"
     page.wait(cursor)
@@ -185,14 +187,20 @@ NOTED = """() => {
 }"""
 
 
-def test_of_modes_only_those_chosen_are_warned_of(open_page):
+def test_of_modes_only_those_chosen_are_warned_of(anew):
     """The others are there to be compared with."""
-    assert open_page("?scene=timoshenko-1913-short").evaluate(NOTED) == ""
+    assert anew("timoshenko-1913-short").evaluate(NOTED) == ""
 
 
-@pytest.mark.parametrize("query", ["?scene=hammer-on-cantilever", "?scene=timoshenko-1913-long"])
-def test_a_phone_shows_all_of_it(open_page, query):
-    page = open_page(query, size=(390, 844), has_touch=True)
+def test_a_phone_shows_all_of_it(open_page):
+    page = open_page("?scene=hammer-on-cantilever", size=(390, 844), has_touch=True)
+    check_phone(page)
+    page.turn_to("Controls")
+    page.show_scene("timoshenko-1913-long")
+    check_phone(page)
+
+
+def check_phone(page) -> None:
     page.fits(390)
     box = page.tab.get_by_role("button", name="Slow motion").bounding_box()
     assert box["x"] >= 0 and box["x"] + box["width"] <= 390
@@ -206,13 +214,13 @@ def test_a_phone_shows_all_of_it(open_page, query):
 
 
 def test_an_address_that_cannot_be_struck_shows_the_scene_and_says_why(open_page):
-    page = open_page(SCENE + "&place=0")
+    page = open_page(f"?scene={SCENE}&place=0")
     assert page.header("chosen")["place"] == 1.0
     expect(page.tab.locator(".toast")).to_contain_text("Struck at: got 0.0; allowed: a fraction of the length")
 
 
-def test_the_data_of_a_beam_can_be_saved(open_page, tmp_path):
-    page = open_page(SCENE)
+def test_the_data_of_a_beam_can_be_saved(anew, tmp_path):
+    page = anew(SCENE)
     with page.tab.expect_download() as download:
         page.take("Histories (CSV)")
     download.value.save_as(tmp_path / "data.csv")
@@ -230,8 +238,8 @@ def test_a_support_that_would_hold_the_struck_place_moves_the_impact(open_page):
     expect(page.tab.get_by_label("Struck at, exact value")).to_have_value("0.5")
 
 
-def test_choices_that_cannot_be_solved_are_set_back(open_page):
-    page = open_page("?scene=hammer-on-cantilever")
+def test_choices_that_cannot_be_solved_are_set_back(anew):
+    page = anew("hammer-on-cantilever")
     place = page.tab.get_by_label("Struck at, exact value")
     type_into(place, "0", "Enter")
     expect(page.tab.locator(".field-place .wrong")).to_contain_text("Struck at: got 0.0; allowed: a fraction")
@@ -241,8 +249,8 @@ def test_choices_that_cannot_be_solved_are_set_back(open_page):
     assert page.header("chosen")["place"] == 1.0
 
 
-def test_an_impact_beside_the_clamp_is_reported_as_one_on_a_wall(open_page):
-    page = open_page("?scene=hammer-on-cantilever&place=0.05")
+def test_an_impact_beside_the_clamp_is_reported_as_one_on_a_wall(anew):
+    page = anew("hammer-on-cantilever", place=0.05)
     story = page.tab.locator(".story:visible")
     expect(story).to_contain_text("from the clamp, which holds it back almost at once")
     expect(story).to_contain_text("turns round as on a wall")
@@ -254,8 +262,8 @@ def test_an_impact_beside_the_clamp_is_reported_as_one_on_a_wall(open_page):
         expect(story).not_to_contain_text(false)
 
 
-def test_warnings_name_the_controls(open_page):
-    page = open_page("?scene=hammer-on-cantilever&modes=40")
+def test_warnings_name_the_controls(anew):
+    page = anew("hammer-on-cantilever", modes=40)
     expect(page.tab.locator(".warnings:visible")).to_contain_text("use Theory: Timoshenko")
 
 
@@ -270,7 +278,7 @@ def test_it_opens_in_the_first_contact_and_says_what_play_does(open_page):
     expect(now).not_to_contain_text("Play")
 
 
-def test_a_method_without_waves_says_so(open_page):
-    page = open_page("?scene=hammer-on-cantilever&method=rigid")
+def test_a_method_without_waves_says_so(anew):
+    page = anew("hammer-on-cantilever", method="rigid")
     expect(page.tab.locator(".story:visible")).to_contain_text("For this method the beam is rigid")
     assert page.evaluate("strikewave.page.beam.stage.factor") < 1e6

@@ -16,6 +16,7 @@ KEEP = "() => { strikewave.page.compare.keep(); return strikewave.page.compare.r
 LAID = """() => strikewave.page.view.stack.charts.map(([, { content }]) =>
   content.series.map(({ name }) => name).filter((name) => /^[ABCD]/.test(name ?? '')))"""
 MAX_KEPT = 100_000  # bytes
+WIDE, PHONE = (1440, 900), (390, 844)
 
 
 def ask(page, question: str) -> None:
@@ -37,21 +38,18 @@ def peak_force(scene: str, **changed) -> float:
     return solvers.solve(chosen_scene(chosen)).peak_force
 
 
-WIDE, PHONE = (1440, 900), (390, 844)
-
-
 @pytest.mark.parametrize(
-    "query, question, name, first, second, size, other",
+    "scene, question, name, first, second, size, other",
     [
-        ("?layout=laboratory", "5 or 100 modes?", "modes", 5, 100, WIDE, PHONE),
-        ("?layout=laboratory", "Hertz or rigid?", "law", "rigid", "hertz", PHONE, WIDE),
-        ("?layout=laboratory", "Does a heavier hammer hit harder?", "mass_ratio", 1, 0.25, WIDE, PHONE),
-        ("?scene=hammer-on-cantilever", "5 or 100 modes?", "modes", 5, 100, PHONE, WIDE),
-        ("?scene=stepped-rod", "Hertz or rigid?", "law", "rigid", "hertz", WIDE, PHONE),
-        ("?scene=figure-10.4", "Clamped or free modes?", "floating_frame", "mean-axis", "attached", WIDE, PHONE),
-        ("?scene=figure-10.12", "Pinned or clamped shapes?", "shapes", "pinned-free", "clamped-free", WIDE, PHONE),
+        ("fixed-rod", "5 or 100 modes?", "modes", 5, 100, WIDE, PHONE),
+        ("fixed-rod", "Hertz or rigid?", "law", "rigid", "hertz", PHONE, WIDE),
+        ("fixed-rod", "Does a heavier hammer hit harder?", "mass_ratio", 1, 0.25, WIDE, PHONE),
+        ("hammer-on-cantilever", "5 or 100 modes?", "modes", 5, 100, PHONE, WIDE),
+        ("stepped-rod", "Hertz or rigid?", "law", "rigid", "hertz", WIDE, PHONE),
+        ("figure-10.4", "Clamped or free modes?", "floating_frame", "mean-axis", "attached", WIDE, PHONE),
+        ("figure-10.12", "Pinned or clamped shapes?", "shapes", "pinned-free", "clamped-free", WIDE, PHONE),
         (
-            "?scene=figure-9.11",
+            "figure-9.11",
             "Does it matter that the pendulum bends?",
             "scene",
             "figure-9.2",
@@ -59,11 +57,11 @@ WIDE, PHONE = (1440, 900), (390, 844)
             PHONE,
             WIDE,
         ),
-        ("?scene=brick-off-centre", "With and without loss?", "restitution", 1, 0, PHONE, WIDE),
+        ("brick-off-centre", "With and without loss?", "restitution", 1, 0, PHONE, WIDE),
     ],
 )
-def test_a_question_is_answered_in_two_clicks(open_page, query, question, name, first, second, size, other):
-    page = open_page(query, size=size)
+def test_a_question_is_answered_in_two_clicks(anew, scene, question, name, first, second, size, other):
+    page = anew(scene, size)
     ask(page, question)
     assert page.evaluate("() => strikewave.page.compare.runs[0].frame.chosen")[name] == first
     assert page.header("chosen")[name] == second
@@ -75,9 +73,9 @@ def test_a_question_is_answered_in_two_clicks(open_page, query, question, name, 
     page.fits(other[0])
 
 
-def test_what_is_being_solved_for_a_question_is_not_called_the_same(open_page):
+def test_what_is_being_solved_for_a_question_is_not_called_the_same(anew):
     """Where the first setting is what is shown, and the second has yet to be compiled."""
-    page = open_page()
+    page = anew()
     said = page.evaluate(
         """() => {
           const { compare } = strikewave.page;
@@ -91,8 +89,8 @@ def test_what_is_being_solved_for_a_question_is_not_called_the_same(open_page):
     expect(page.tab.locator(".runs")).not_to_contain_text("being solved")
 
 
-def test_on_a_phone_a_kept_run_can_be_removed(open_page):
-    page = open_page(size=(390, 844))
+def test_on_a_phone_a_kept_run_can_be_removed(anew):
+    page = anew(size=PHONE)
     ask(page, "Is restitution a constant?")
     expect(page.tab.locator(".tab-panel .teaches").first).to_contain_text("Restitution e is the speed at which")
     box = page.tab.get_by_role("button", name="Remove A").bounding_box()
@@ -100,8 +98,8 @@ def test_on_a_phone_a_kept_run_can_be_removed(open_page):
     page.fits(390)
 
 
-def test_a_heavier_hammer_hits_harder_and_the_percentage_is_right(open_page):
-    page = open_page()
+def test_a_heavier_hammer_hits_harder_and_the_percentage_is_right(anew):
+    page = anew()
     ask(page, "Does a heavier hammer hit harder?")
     change = peak_force("fixed-rod", mass_ratio=0.25) / peak_force("fixed-rod") - 1.0
     first = page.tab.locator(".compared li").first
@@ -112,9 +110,8 @@ def test_a_heavier_hammer_hits_harder_and_the_percentage_is_right(open_page):
     expect(row).to_contain_text(f"−{-100 * back:.0f} %")
 
 
-def test_keeping_sends_nothing_and_keeps_no_more_than_it_must(open_page):
-    page = open_page("?scene=hammer-on-cantilever")
-    before = page.quiet()
+def test_keeping_sends_nothing_and_keeps_no_more_than_it_must(anew):
+    page = anew("hammer-on-cantilever")
     for count, ratio in enumerate((1.0, 2.0, 4.0, 8.0), start=1):
         set_and_wait(page, mass_ratio=ratio)
         before = page.quiet()
@@ -132,17 +129,17 @@ def test_keeping_sends_nothing_and_keeps_no_more_than_it_must(open_page):
     assert page.evaluate("() => strikewave.page.compare.runs.map(({ letter }) => letter).join('')") == "ABCD"
 
 
-def test_the_same_solution_is_kept_once(open_page):
-    page = open_page()
+def test_the_same_solution_is_kept_once(anew):
+    page = anew()
     assert page.evaluate(KEEP) == 1
     page.tab.keyboard.press("k")
     expect(page.tab.locator(".toast")).to_contain_text("already, as A")
     assert page.evaluate("() => strikewave.page.compare.runs.length") == 1
 
 
-def test_overlays_have_the_units_of_the_chart(open_page):
+def test_overlays_have_the_units_of_the_chart(anew):
     """A kept rod over a chain with a round trip, an impedance and a duration of its own."""
-    page = open_page()
+    page = anew()
     page.evaluate(KEEP)
     set_and_wait(page, scene="stepped-rod")
     kept = page.evaluate(
@@ -156,8 +153,8 @@ def test_overlays_have_the_units_of_the_chart(open_page):
     assert kept["whole"] >= kept["now"]
 
 
-def test_two_pictures_run_by_one_clock_in_one_scale(open_page):
-    page = open_page()
+def test_two_pictures_run_by_one_clock_in_one_scale(anew):
+    page = anew()
     page.evaluate(KEEP)
     set_and_wait(page, speed=2.0)
     page.tab.get_by_role("button", name="show it beside in the picture").click()
@@ -178,9 +175,9 @@ def test_two_pictures_run_by_one_clock_in_one_scale(open_page):
     expect(second).to_be_hidden()
 
 
-@pytest.mark.parametrize("query", ["?scene=hammer-on-cantilever", "?scene=brick-off-centre", "?scene=two-balls"])
-def test_other_scenes_are_drawn_beside(open_page, query):
-    page = open_page(query)
+@pytest.mark.parametrize("scene", ["hammer-on-cantilever", "brick-off-centre", "two-balls"])
+def test_other_scenes_are_drawn_beside(anew, scene):
+    page = anew(scene)
     page.evaluate(KEEP)
     set_and_wait(page, speed=2.0)
     page.evaluate("() => strikewave.page.compare.standBeside(strikewave.page.compare.runs[0])")
@@ -189,9 +186,9 @@ def test_other_scenes_are_drawn_beside(open_page, query):
     expect(page.tab.locator(".compared table").last).to_contain_text("%")
 
 
-def test_locked_axes_tell_speeds_apart(open_page):
+def test_locked_axes_tell_speeds_apart(anew):
     """Unlocked, the force at twice the speed is the same picture with other numbers."""
-    page = open_page()
+    page = anew()
     range_ = "() => { const { chart } = strikewave.page.axial.force; return chart.y.map((y) => y / chart.factor); }"
     ends = "() => { const { stage } = strikewave.page.axial; return stage.largest * stage.frame.stressUnit; }"
     before, colours = page.evaluate(range_), page.evaluate(ends)
@@ -205,8 +202,8 @@ def test_locked_axes_tell_speeds_apart(open_page):
     assert page.evaluate(range_)[1] == pytest.approx(0.5 * before[1])
 
 
-def test_going_back_to_a_kept_solution_sets_its_sliders(open_page):
-    page = open_page()
+def test_going_back_to_a_kept_solution_sets_its_sliders(anew):
+    page = anew()
     page.evaluate(KEEP)
     set_and_wait(page, scene="free-rod")
     set_and_wait(page, mass_ratio=3.0)
@@ -216,8 +213,8 @@ def test_going_back_to_a_kept_solution_sets_its_sliders(open_page):
     expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("1")
 
 
-def test_four_kept_leave_stage_clock_and_buttons_in_view(open_page):
-    page = open_page()
+def test_four_kept_leave_stage_clock_and_buttons_in_view(anew):
+    page = anew()
     for ratio in (0.5, 0.25, 2.0, 4.0):
         set_and_wait(page, mass_ratio=ratio)
         page.evaluate(KEEP)

@@ -7,6 +7,7 @@ from math import hypot
 import pytest
 from playwright.sync_api import expect
 
+from ..conftest import LABORATORY, Page
 from ..fitting import DRAWN, INSTANTS, LARGE, UNREACHED, WRITTEN, lettered
 from .hands import type_into
 
@@ -17,41 +18,63 @@ def fits(page) -> None:
 
 
 @pytest.mark.parametrize(
-    "size, query",
+    "size, scene",
     [
-        ((1280, 720), "?scene=hammer-on-cantilever"),
-        ((820, 1180), "?scene=bent-rods&panel=joints"),
-        ((820, 1180), "?scene=semi-infinite-rod"),
-        ((390, 844), "?scene=brick-on-floor"),
-        ((390, 844), "?scene=spinning-ball"),
-        ((1280, 720), "?scene=bouncing-on-piston"),
+        ((1280, 720), "hammer-on-cantilever"),
+        ((820, 1180), "bent-rods"),
+        ((820, 1180), "semi-infinite-rod"),
+        ((390, 844), "brick-on-floor"),
+        ((390, 844), "spinning-ball"),
+        ((1280, 720), "bouncing-on-piston"),
     ],
     ids=str,
 )
-def test_no_words_are_cut_or_lie_on_others(open_page, size, query):
-    fits(open_page(query, size=size))
+def test_no_words_are_cut_or_lie_on_others(anew, size, scene):
+    fits(anew(scene, size, panel="joints" if scene == "bent-rods" else ""))
 
 
 SIZES = [(1920, 1080), (1440, 900), (1280, 720), (820, 1180), (390, 844)]
+
+
+def fits_from(page, first: int) -> None:
+    """In a window of one size, which then has the others."""
+    for k in range(len(SIZES)):
+        page.resize(*SIZES[(first + k) % len(SIZES)])
+        fits(page)
+
+
+@pytest.mark.parametrize("first, query", enumerate(["?layout=laboratory&language=es", "?panel=methods&language=es"]))
+def test_the_laboratory_and_an_analysis_have_their_room_in_spanish(open_page, first, query):
+    fits_from(open_page(query, size=SIZES[first]), first)
+
+
+@pytest.fixture(scope="module")
+def spanish(browser, server, windows):
+    """The opening, which has the window as each test needs it."""
+    page = Page(browser, server, "?language=es", windows=windows)
+    yield page
+    page.close()
+    assert [error for error in page.errors if "GL Driver" not in error] == []
+    assert page.foreign == []
+
+
 IN_SPANISH = [
-    "?language=es",
-    "?layout=laboratory&language=es",
-    "?scene=hammer-on-cantilever&language=es",
-    "?scene=four-bar-moves&language=es",
-    *(f"?scene={name}&layout=opening&language=es" for name in ("brick-on-floor", "bouncing-ball", "newtons-cradle")),
-    "?scene=compound-pendulum&layout=opening&language=es",
-    "?panel=methods&language=es",
+    "fixed-rod",
+    "hammer-on-cantilever",
+    "four-bar-moves",
+    "brick-on-floor",
+    "bouncing-ball",
+    "newtons-cradle",
+    "compound-pendulum",
 ]
 
 
-@pytest.mark.parametrize("first, query", enumerate(IN_SPANISH))
-def test_what_is_said_in_spanish_has_its_room(open_page, first, query):
-    """Opened in a window of one size, which then has the others."""
-    sizes = [SIZES[(first + k) % len(SIZES)] for k in range(len(SIZES))]
-    page = open_page(query, size=sizes[0])
-    for size in sizes:
-        page.resize(*size)
-        fits(page)
+@pytest.mark.parametrize("first, scene", enumerate(IN_SPANISH))
+def test_what_is_said_in_spanish_has_its_room(spanish, first, scene):
+    spanish.resize(*SIZES[first % len(SIZES)])
+    if spanish.header("chosen")["scene"] != scene:
+        spanish.show_scene(scene)
+    fits_from(spanish, first)
 
 
 SAID_ON_STAGE = """(share) => {
@@ -74,15 +97,15 @@ EDGES = """(instants) => {
 }"""
 
 
-def test_no_front_is_named_before_it_has_set_out(open_page):
+def test_no_front_is_named_before_it_has_set_out(anew):
     """At the touch it would tell a lesson's answer: what moves first."""
-    page = open_page()
+    page = anew()
     assert "front" not in page.evaluate(SAID_ON_STAGE, 0) and "front" in page.evaluate(SAID_ON_STAGE, 0.1)
 
 
 @pytest.mark.parametrize("scene", ["split-hopkinson", "stepped-rod", "semi-infinite-rod"])
-def test_rods_that_fly_off_stay_in_the_picture(open_page, scene):
-    page = open_page(f"?scene={scene}")
+def test_rods_that_fly_off_stay_in_the_picture(anew, scene):
+    page = anew(scene)
     assert min(page.evaluate(EDGES, INSTANTS)) > 0
 
 
@@ -98,8 +121,8 @@ DISCS = """(share) => {
 }"""
 
 
-def test_balls_of_a_cradle_stay_apart_and_all_their_forces_are_shown(open_page):
-    page = open_page("?scene=newtons-cradle")
+def test_balls_of_a_cradle_stay_apart_and_all_their_forces_are_shown(anew):
+    page = anew("newtons-cradle")
     for share in INSTANTS:
         balls = page.evaluate(DISCS, share)
         assert len(balls) == 5
@@ -111,21 +134,26 @@ def test_balls_of_a_cradle_stay_apart_and_all_their_forces_are_shown(open_page):
     assert "0.99" in said and [words for words in said if "movement drawn" in words]
 
 
-def test_of_a_striker_that_has_flown_off_a_beam_it_is_said_how_far(open_page):
-    page = open_page("?scene=hammer-on-cantilever")
+def test_of_a_striker_that_has_flown_off_a_beam_it_is_said_how_far(anew):
+    page = anew("hammer-on-cantilever")
     said = page.evaluate(SAID_ON_STAGE, 1)
     assert [words for words in said if re.fullmatch(r"mass: [\d.]+\smm beyond", words)]
     assert not [words for words in page.evaluate(SAID_ON_STAGE, 0) if "beyond" in words]
 
 
-@pytest.mark.parametrize(
-    "first, query",
-    enumerate(["", "?layout=laboratory", "?scene=hammer-on-cantilever", "?scene=hammer-on-cantilever&layout=opening"]),
-)
+@pytest.mark.parametrize("first, query", enumerate(["", LABORATORY]))
 def test_large_letters_have_their_room(open_page, first, query):
+    """On the page of a rod, and then on that of a beam."""
     sizes = [SIZES[2:][(first + k) % 3] for k in range(3)]
     page = open_page(query, script=LARGE, size=sizes[0])
     assert page.evaluate("() => getComputedStyle(document.documentElement).fontSize") == "24px"
+    check_large(page, sizes)
+    page.resize(*sizes[2])
+    page.show_scene("hammer-on-cantilever")
+    check_large(page, sizes[2:] + sizes[:2])
+
+
+def check_large(page, sizes) -> None:
     for size in sizes:
         page.resize(*size)
         fits(page)
@@ -174,24 +202,15 @@ def test_charts_that_a_scene_brings_are_folded_where_there_is_no_room_for_them(o
     )
 
 
-def test_where_a_plot_is_narrow_its_title_stands_above_its_tools(open_page):
-    page = open_page("?scene=fixed-rod&panel=ratios", size=(390, 844))
-    figure = page.tab.locator(".ratios .figure").first
-    expect(figure.locator(".bk-Toolbar").first).to_be_visible()
-    [title, tools] = [figure.locator(part).first.bounding_box() for part in ("h2", ".bk-Toolbar")]
-    assert title["height"] > 10 and title["y"] + title["height"] <= tools["y"]
-    assert page.evaluate("() => strikewave.page.analyses.ratios.figure.model('rebound').title.visible") is False
-
-
-def test_the_clock_has_the_room_that_there_is(open_page):
-    page = open_page(size=(1280, 720))
+def test_the_clock_has_the_room_that_there_is(anew):
+    page = anew(size=(1280, 720))
     track, player = (page.tab.locator(each).bounding_box()["width"] for each in (".pinned .track", ".pinned .player"))
     assert track > 0.25 * player
 
 
 @pytest.mark.parametrize("size", [(1440, 900), (820, 1180), (390, 844)], ids=str)
-def test_the_longest_title_is_read_whole(open_page, size):
-    page = open_page("?scene=figure-7.1", size=size)
+def test_the_longest_title_is_read_whole(anew, size):
+    page = anew("figure-7.1", size)
     shown = page.tab.locator(".field-scene .title")
     expect(shown).to_have_text(re.compile("^Figure 7.1: .* what the contact does$"))
     [box, own] = shown.evaluate("""element => {
@@ -202,9 +221,9 @@ def test_the_longest_title_is_read_whole(open_page, size):
     assert box[0] - 1 <= own[0] and own[1] <= box[1] + 1
 
 
-def test_a_scene_whose_settings_are_changed_says_so(open_page):
+def test_a_scene_whose_settings_are_changed_says_so(anew):
     """Its method is none of them; another scene, or the way back, has its own name again."""
-    page = open_page("?scene=fixed-rod")
+    page = anew()
     shown, name = page.tab.locator(".field-scene .title"), "Steel rod fixed at the far end, struck by its own mass"
     expect(shown).to_have_text(name)
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('modes', 20)"))
@@ -214,14 +233,6 @@ def test_a_scene_whose_settings_are_changed_says_so(open_page):
     expect(page.tab.locator("p.trust:visible").first).to_contain_text(f"Changed from the scene “{name}”: Mass ratio 2.")
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
     expect(shown).not_to_contain_text("(changed)")
-
-
-def test_what_is_wrong_with_a_value_is_seen_on_a_phone(open_page):
-    page = open_page(size=(390, 844))
-    length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
-    length.evaluate("element => element.scrollIntoView({ block: 'end' })")
-    type_into(length, "3 µm", "Enter")
-    expect(page.tab.locator(".wrong:visible")).to_be_in_viewport(ratio=1)
 
 
 LABELS = """() => {
@@ -242,23 +253,25 @@ LABELS = """() => {
 
 
 @pytest.mark.parametrize("scene", ["note-rod-friction", "percussion-rod"])
-def test_words_beside_bodies_in_space_lie_on_no_handle(open_page, scene):
-    assert open_page(f"?scene={scene}", size=(390, 844)).evaluate(LABELS) == []
+def test_words_beside_bodies_in_space_lie_on_no_handle(anew, scene):
+    assert anew(scene, (390, 844)).evaluate(LABELS) == []
 
 
-def test_limits_of_a_value_are_in_the_unit_of_its_field(open_page):
-    page = open_page()
+def test_what_is_wrong_with_a_value_is_seen_on_a_phone_in_the_unit_of_its_field(open_page):
+    page = open_page(size=(390, 844))
     length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
+    length.evaluate("element => element.scrollIntoView({ block: 'end' })")
     type_into(length, "3 µm", "Enter")
     wrong = page.tab.locator(".wrong:visible")
+    expect(wrong).to_be_in_viewport(ratio=1)
     expect(wrong).to_have_text("“3 µm” is not possible. Allowed: 0.01 mm to 1e7 mm.")
     expect(length).to_be_focused()
     assert length.evaluate("element => getComputedStyle(element).outlineStyle") == "solid"
 
 
-def test_a_chain_has_no_rule_of_thumb(open_page):
+def test_a_chain_has_no_rule_of_thumb(anew):
     """Which would go by a contact time that is known of one rod alone."""
-    page = open_page("?scene=split-hopkinson&panel=needs")
+    page = anew("split-hopkinson", panel="needs")
     expect(page.tab.locator(".analysis table.plan tr").first).to_be_visible()
     expect(page.tab.locator(".analysis:visible")).not_to_contain_text("Rule of thumb")
 
@@ -280,16 +293,16 @@ def test_a_panel_that_has_nothing_says_why_and_draws_nothing(open_page):
     expect(page.tab.locator(".toast")).to_be_hidden()
 
 
-def test_where_the_waves_of_a_shorter_impact_end_is_said(open_page):
-    page = open_page("?scene=fixed-rod&mass_ratio=0.2")
+def test_where_the_waves_of_a_shorter_impact_end_is_said(anew):
+    page = anew(mass_ratio=0.2)
     page.evaluate("() => strikewave.page.compare.keep()")
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('mass_ratio', 1.5)"))
     assert "the present run has ended" in page.evaluate(SAID, "spaceTime")
 
 
-def test_a_method_that_knows_no_waves_says_so_where_they_would_be(open_page):
+def test_a_method_that_knows_no_waves_says_so_where_they_would_be(anew):
     """And draws both rods rigid, each by its own motion."""
-    page = open_page("?scene=two-unequal-rods&method=rigid")
+    page = anew("two-unequal-rods", method="rigid")
     assert "rigid bodies: no waves, so that the bodies are drawn rigid" in page.evaluate(SAID, "spaceTime")
     moved = page.evaluate("() => [...strikewave.page.view.field.profile(1, 'displacement', new Float64Array(31))]")
     mass, end = page.evaluate("() => [strikewave.page.view.field.mass(1), strikewave.page.view.field.end(1)]")
@@ -303,10 +316,10 @@ CUT_CELLS = """(table) => [...strikewave.page.root.querySelectorAll(`${table} td
   .filter(({ clientWidth, scrollWidth }) => scrollWidth > clientWidth).map(({ textContent }) => textContent)"""
 
 
-def test_figures_of_a_convergence_lie_beside_one_another_on_a_phone(open_page):
-    page = open_page("?scene=table-6.6&panel=convergence", size=(390, 844))
-    page.wait("() => strikewave.page.root.querySelectorAll('.study-convergence tbody tr').length > 2")
-    assert page.evaluate(WRITTEN) == []
-    page = open_page("?scene=hammer-on-cantilever&panel=convergence", size=(390, 844))
-    page.wait("() => strikewave.page.root.querySelectorAll('.study-convergence tbody tr').length > 2")
-    assert page.evaluate(CUT_CELLS, ".study-convergence") == []
+def test_figures_of_a_convergence_lie_beside_one_another_on_a_phone(anew):
+    beam = ("hammer-on-cantilever", CUT_CELLS, ".study-convergence")
+    for scene, found, argument in (("table-6.6", WRITTEN, None), beam):
+        page = anew(scene, (390, 844), panel="convergence")
+        page.wait("() => strikewave.page.analyses.convergence.fresh")
+        page.wait("() => strikewave.page.root.querySelectorAll('.study-convergence tbody tr').length > 2")
+        assert page.evaluate(found, argument) == []
