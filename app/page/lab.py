@@ -223,8 +223,10 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         self.ask_panels()
 
     def _set_back(self, failed: dict[str, Any], reason: dict[str, Any]) -> None:
-        """If the failed choices still stand, restore those of the frame shown; say the reason."""
-        if self._shown_choices and self.chosen() == failed:
+        """Restore those of the frame shown, and say the reason; nothing where newer choices are on their way."""
+        if self.chosen() != failed:
+            return
+        if self._shown_choices:
             with self._silence():
                 self.param.update(**self._shown_choices)
         self._refuse(reason)

@@ -5,6 +5,7 @@ import textwrap
 from typing import Any
 
 from .given import SOURCES, books_open, given
+from .largest import peak_bending_stress, peak_deflection
 from .words import family, listed, named, shown, text, vector
 
 LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
@@ -38,6 +39,7 @@ def report(solution: Any) -> str:
     ]
     if solution.peak_indentation is not None:
         lines.append(f"  {text('solve.indentation'):21}{shown(solution.peak_indentation * 1e6, '.6g')} um")
+    lines += _bent(solution)
     lines += ["", "  " + text("solve.restitution")]
     for key, value in solution.restitution.items():
         known = text("report.not-defined") if value is None else shown(value, ".6f")
@@ -68,6 +70,20 @@ def _shares(solution: Any) -> list[str]:
     return [
         "  " + head,
         *(f"    {named('energy', part):30}{shown(100 * share, '10.5f')}" for part, share in shares.items()),
+    ]
+
+
+def _bent(solution: Any) -> list[str]:
+    """How far a beam gives way, and the stress of its outer fibre."""
+    found = (
+        (text("solve.deflection"), peak_deflection(solution), 1e3, "mm"),
+        (text("solve.bending-stress"), peak_bending_stress(solution), 1e-6, "MPa"),
+    )
+    return [
+        f"  {name:21}{shown(abs(largest.value) * factor, '.5g')} {unit}   "
+        f"({text('solve.at', place=largest.x, time=largest.time)})"
+        for name, largest, factor, unit in found
+        if largest is not None
     ]
 
 

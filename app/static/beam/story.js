@@ -129,6 +129,7 @@ export class BeamStory {
       ...this.leaving(both, beam.held ? ['impactor'] : ['impactor', 'target']),
       ['peak-force', (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
       ['indentation', (s) => micro(s.peakIndentation)],
+      ...this.deflection(),
       ...this.dents(both),
       ['apparent', (s) => (s === main ? duration(span.apparent) : '')],
       ['real', (s) => (s === main ? duration(span.real) : '')],
@@ -161,6 +162,13 @@ export class BeamStory {
       restitution,
       ['impulse', (s) => given(s.impulse)],
     ];
+  }
+  /** @returns {Row[]} */
+  deflection() {
+    const { beam, main, stretch, struckPath } = this.frame;
+    if (!beam.held || main.sudden || stretch) return []; // of a stretch it may be another one
+    const most = struckPath.reduce((found, moved) => Math.max(found, Math.abs(moved)), 0);
+    return [['deflection', (s) => (s === main ? figures(1e3 * most) : '')]];
   }
   /**
    * @param {BeamFigures[]} both

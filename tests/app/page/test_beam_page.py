@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
+import solvers
 from app.choices.request import Request
 from app.messages.transverse import chosen_method
+from solvers.notebook.largest import peak_deflection
 
 from .hands import type_into
 from .test_page import check_slider, settled
@@ -282,3 +284,11 @@ def test_a_method_without_waves_says_so(anew):
     page = anew("hammer-on-cantilever", method="rigid")
     expect(page.tab.locator(".story:visible")).to_contain_text("For this method the beam is rigid")
     assert page.evaluate("strikewave.page.beam.stage.factor") < 1e6
+
+
+def test_how_far_the_beam_gives_way_is_among_the_figures(anew):
+    page = anew("hammer-on-cantilever")
+    row = page.tab.locator("table.figures tr", has_text="largest deflection where struck, mm")
+    solution = solvers.solve(solvers.load("hammer-on-cantilever"))
+    found = float(row.locator("td").nth(1).text_content())
+    assert found == pytest.approx(1e3 * peak_deflection(solution).value, rel=5e-3)  # it is said by three digits

@@ -213,6 +213,19 @@ def test_going_back_to_a_kept_solution_sets_its_sliders(anew):
     expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("1")
 
 
+def test_going_back_to_another_support_takes_the_struck_place_with_it(anew):
+    """Which the support now chosen does not allow, as they are set one by one."""
+    page = anew("hammer-on-cantilever")
+    page.evaluate("() => strikewave.page.compare.keep()")
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('support', 'pinned-pinned')"))
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('place', 0.3)"))
+    page.evaluate("() => { strikewave.page.toast.root.hidden = true; }")
+    page.answered(lambda: page.tab.get_by_role("button", name="A: go back to these settings").click())
+    page.wait("() => strikewave.page.frame.chosen.support === 'cantilever' && !strikewave.page.changes.goal")
+    assert page.header("chosen")["place"] == 1.0
+    assert page.evaluate("() => strikewave.page.toast.root.hidden")
+
+
 def test_four_kept_leave_stage_clock_and_buttons_in_view(anew):
     page = anew()
     for ratio in (0.5, 0.25, 2.0, 4.0):
