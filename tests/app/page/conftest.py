@@ -2,7 +2,34 @@
 
 import pytest
 
+from ..conftest import LABORATORY
 from .moved import Shown
+
+# Nothing kept or open, then these settings; once they are answered, all as it is at first, and this panel is opened.
+ANEW = """([settings, panel]) => new Promise((done) => {
+  const { page } = strikewave, { analyses, compare, layout, player, toast } = page;
+  compare.lock(false);
+  compare.clear();
+  for (const each of analyses.all) if (each.open) each.toggle();
+  analyses.arrange();
+  layout.tabs.select('story');
+  page.goTo(settings, (frame) => {
+    const { axis, usual, what } = page.view, { view } = page;
+    if (what !== usual) view.colour(usual);
+    axis?.show(axis.opened);
+    const { first, start = 0, time, unit } = view.clock(frame);
+    player.playing = false;
+    player.go(time === null ? first : time / unit - start);
+    layout.tabs.panel('numbers').scrollTop = 0;
+    toast.root.hidden = true;
+    if (panel) analyses.open(analyses[panel]);
+    done();
+  });
+})"""
+RESTS = """() => {
+  const { asked, telling, waiting } = strikewave.page;
+  return !asked && !telling && !Object.keys(waiting).length;
+}"""
 
 
 @pytest.fixture(scope="module")
@@ -19,3 +46,18 @@ def show(pages):
     yield pages.show
     assert [error for page in pages.by_layout.values() for error in page.errors if "GL Driver" not in error] == []
     assert [address for page in pages.by_layout.values() for address in page.foreign] == []
+
+
+@pytest.fixture
+def anew(pages, show):
+    """Show a scene in the laboratory as it opens, whatever other tests have done there, with a panel or without."""
+
+    def shown(scene: str = "fixed-rod", size=(1440, 900), panel: str = "", **settings):
+        page = show(pages.queries.get("laboratory", LABORATORY), size)
+        pages.queries["laboratory"] = "anew"  # no link: the next one is followed
+        page.tab.mouse.move(0, 0)
+        page.evaluate(ANEW, [{"scene": scene} | settings, panel])
+        page.wait(RESTS)
+        return page
+
+    return shown
