@@ -20,6 +20,13 @@ def body(page, number: int):
     return page.tab.locator(".body").nth(number - 1)
 
 
+def unfold(page, number: int) -> None:
+    """Its values, unless another test has."""
+    details = body(page, number)
+    if details.get_attribute("open") is None:
+        details.locator("summary").click()
+
+
 def field(page, name: str, number: int = 2):
     return body(page, number).locator("input.number, select").and_(page.tab.get_by_label(name))
 
@@ -64,8 +71,8 @@ def test_a_typed_value_is_solved_linked_undone_reloaded_and_set_back(open_page):
     assert page.header("chosen")["mass_ratio"] == 1.0
 
 
-def test_mass_and_ratio_follow_each_other(open_page):
-    page = open_page()
+def test_mass_and_ratio_follow_each_other(anew):
+    page = anew()
     typed(page, "Mass, kg", "0.5", 1)
     expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("4.266")
     ratio = page.tab.get_by_label("Mass ratio, exact value")
@@ -74,8 +81,9 @@ def test_mass_and_ratio_follow_each_other(open_page):
     expect(page.tab.locator(".field-mass_ratio .ends")).to_have_text("← heavy strikerlight striker →")
 
 
-def test_what_cannot_be_is_said_at_the_field_and_nothing_is_lost(open_page):
-    page = open_page("?target.length=0.6")
+def test_what_cannot_be_is_said_at_the_field_and_nothing_is_lost(anew):
+    page = anew()
+    typed(page, "Length", "600")
     before, sent = page.header("chosen"), page.quiet()["sent"]
     box = field(page, "Length")
     for given in ("-3", "0", "2 kg", "nan", "1e400", "abc", "<b>x"):
@@ -89,8 +97,8 @@ def test_what_cannot_be_is_said_at_the_field_and_nothing_is_lost(open_page):
     expect(page.tab.locator(".wrong:visible")).to_have_count(0)
 
 
-def test_what_the_server_refuses_is_said_at_the_field_too(open_page):
-    page = open_page()
+def test_what_the_server_refuses_is_said_at_the_field_too(anew):
+    page = anew()
     box = field(page, "Length")
     type_into(box, "9000 m", "Enter")
     expect(page.tab.locator(".wrong:visible")).to_have_text(
@@ -120,12 +128,12 @@ def test_kept_solutions_differ_by_their_bodies_in_words(open_page):
     assert again.evaluate(kept) == page.evaluate(kept) == ["", "target.length=0.6"]
 
 
-def test_all_bodies_of_a_chain_are_reached_in_every_window(open_page):
-    page = open_page("?scene=split-hopkinson")
+def test_all_bodies_of_a_chain_are_reached_in_every_window(anew):
+    page = anew("split-hopkinson")
     heads = page.tab.locator(".body summary b").all_inner_texts()
     assert heads[:2] == ["Body 1, strikes: rod", "Body 2, is struck: chain of rods"]
     assert heads[2:] == [f"Body 2, rod {number} of 3" for number in (1, 2, 3)]
-    body(page, 4).locator("summary").click()
+    unfold(page, 4)
     typed(page, "Length", "20", 4)
     page.wait("() => location.search === '?scene=split-hopkinson&target.rods.2.length=0.02&layout=laboratory'")
     for width, height in [(1440, 900), (1280, 720), (820, 1180), (390, 844)]:
@@ -135,15 +143,15 @@ def test_all_bodies_of_a_chain_are_reached_in_every_window(open_page):
         assert whole(page) and page.evaluate(OUTSIDE) == []
 
 
-def test_a_mechanism_is_built_otherwise_by_its_links_and_joints(open_page):
-    page = open_page("?scene=four-bar")
+def test_a_mechanism_is_built_otherwise_by_its_links_and_joints(anew):
+    page = anew("four-bar")
     heads = page.tab.locator(".body summary b").all_inner_texts()
     assert heads[2:5] == ["Link: crank", "Link: coupler", "Link: bar"]
     joints = ["ground – crank", "crank – coupler", "coupler – bar", "ground – bar"]
     assert heads[5:] == [f"Joint: {names}" for names in joints]
     lengths = page.tab.locator(".body .facts").nth(2)
     expect(lengths).to_contain_text("300 mm")
-    body(page, 7).locator("summary").click()
+    unfold(page, 7)
     typed(page, "Place y", "35 cm", 7)
     page.wait("() => location.search === '?scene=four-bar&target.joints.2.y=0.35&layout=laboratory'")
     expect(lengths).to_contain_text("350 mm")
@@ -156,9 +164,9 @@ def test_a_mechanism_is_built_otherwise_by_its_links_and_joints(open_page):
     expect(field(page, "Place x", 7)).to_have_value("400")
 
 
-def test_what_is_refused_stays_in_its_field_whatever_is_drawn_meanwhile(open_page):
-    page = open_page("?scene=four-bar")
-    body(page, 7).locator("summary").click()
+def test_what_is_refused_stays_in_its_field_whatever_is_drawn_meanwhile(anew):
+    page = anew("four-bar")
+    unfold(page, 7)
     typed(page, "Place y", "500 mm", 7)
     field(page, "Place x", 7).evaluate(
         """(input) => {
@@ -171,9 +179,9 @@ def test_what_is_refused_stays_in_its_field_whatever_is_drawn_meanwhile(open_pag
     expect(field(page, "Place x", 7)).to_have_value("400")
 
 
-def test_sizes_are_tried_by_sliders_too(open_page):
-    page = open_page("?scene=four-bar")
-    body(page, 7).locator("summary").click()
+def test_sizes_are_tried_by_sliders_too(anew):
+    page = anew("four-bar")
+    unfold(page, 7)
     slider = body(page, 7).get_by_label("Place y, slider")
     expect(slider).to_have_value("100")
     page.answered(lambda: slide(slider, 120))
@@ -181,7 +189,7 @@ def test_sizes_are_tried_by_sliders_too(open_page):
     expect(field(page, "Place y", 7)).to_have_value("350")  # a tenth of what the joints are apart, more
     page.answered(lambda: arrow(slider, 100))
     page.wait("() => location.search === '?scene=four-bar&layout=laboratory'")
-    page = open_page("?scene=fixed-rod")
+    page.show_scene("fixed-rod")
     slider = body(page, 2).get_by_label("Length, slider")
     page.answered(lambda: slide(slider, 200))
     expect(field(page, "Length")).to_have_value("600")
@@ -208,12 +216,13 @@ def test_a_value_that_has_no_answer_yet_comes_back_with_the_page(open_page):
     expect(field(page, "Mass, kg", 1)).to_have_value("0.5")
 
 
-def test_a_value_whose_answer_is_lost_is_asked_for_again(open_page):
-    page = open_page()
+def test_a_value_whose_answer_is_lost_is_asked_for_again(anew):
+    page = anew()
     page.evaluate(
         """() => {
           const { model } = strikewave.page;
           window.lost = 0;
+          window.found = () => { strikewave.page.model = model; };
           strikewave.page.model = new Proxy(model, { set(all, name, value) {
             if (name === 'body_value' && value && !window.lost++) return true;  // on its way to the server
             return Reflect.set(all, name, value);
@@ -222,4 +231,5 @@ def test_a_value_whose_answer_is_lost_is_asked_for_again(open_page):
     )
     typed(page, "Length", "600")
     page.wait("() => strikewave.page.frame.chosen.bodies === 'target.length=0.6' && !strikewave.page.bodies.asked")
+    page.evaluate("() => window.found()")
     assert page.evaluate("() => window.lost") >= 2

@@ -18,8 +18,29 @@ from .test_page import settled
 STACK = "() => strikewave.page.view.stack.shows('stress')"
 CURVES = """() => strikewave.page.view.gauge.over.content.series.map(({ x, y, factor }) =>
   [[...x].map((t) => t * strikewave.page.frame.trip), [...y].map((value) => value * factor)])"""
+PLACE = "(place) => strikewave.page.view.gaugeAt(place)"
+FIRST = """() => {
+  const { page } = strikewave, { gauge, stack } = page.view;
+  for (const name of Object.keys(stack.folded)) delete stack.folded[name];
+  stack.arrange();
+  page.redraw();
+  gauge.asked = null;
+  gauge.read(gauge.first);
+}"""
 TITLE = "History at a place"
 OPENED = [name for name in solvers.scene_names() if opening_of(name).charts == ("stress",)]
+
+
+@pytest.fixture
+def gauged(anew):
+    """A scene as it opens, with its own place and charts and what is read there."""
+
+    def shown(scene: str = "fixed-rod"):
+        page = anew(scene)
+        page.evaluate(FIRST)
+        return page
+
+    return shown
 
 
 def test_nine_figures_tell_it():
@@ -27,9 +48,9 @@ def test_nine_figures_tell_it():
     assert sorted(OPENED) == sorted(f"figure-{number}" for number in figures)
 
 
-def test_figure_10_6_compares_numbers_of_clamped_modes(open_page):
+def test_figure_10_6_compares_numbers_of_clamped_modes(gauged):
     """Ready made: two are kept, the third is shown, all in the chart of the place."""
-    page = open_page("?scene=figure-10.6")
+    page = gauged("figure-10.6")
     page.tab.get_by_role("button", name="Compare", exact=True).click()
     page.tab.get_by_role("button", name="5, 10 or 30 clamped modes?").click()
     page.wait("() => strikewave.page.compare.runs.length === 2 && strikewave.page.frame.modes === 30")
@@ -39,9 +60,9 @@ def test_figure_10_6_compares_numbers_of_clamped_modes(open_page):
 
 
 @pytest.mark.parametrize("name", ["figure-9.13", "figure-9.14", "figure-10.5", "figure-10.6"])
-def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(show, name):
+def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(gauged, name):
     """Against the fields of the solutions themselves, of which the browser has other numbers."""
-    page = show(f"?scene={name}")
+    page = gauged(name)
     assert page.evaluate(STACK)
     request = Request.of(own_choices(name))
     exact = exact_solution(request.scene, request.restitution)
@@ -58,6 +79,8 @@ def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(show, nam
 def test_the_place_is_set_by_hand_and_kept_in_the_address(open_page):
     page = open_page()
     assert not page.evaluate(STACK)  # on scenes that are not named after it, it waits
+    shortened(page, 0.015, 0.15)
+    assert "gauge" not in page.tab.url
     page.tab.get_by_role("button", name=f"Unfold: {TITLE}").click()
     field = page.tab.get_by_label("Place of the gauge, in millimetres from the first end").and_(
         page.tab.locator(":visible")
@@ -69,26 +92,24 @@ def test_the_place_is_set_by_hand_and_kept_in_the_address(open_page):
     type_into(field, "400", "Enter")
     expect(page.tab.locator(".wrong:visible")).to_contain_text("from 0 to 300 mm")
     expect(field).to_have_value("400")
-    again = open_page("?gauge=0.1")
-    assert again.evaluate("() => strikewave.page.view.gauge.place") == 0.1
 
 
-def test_a_rod_that_is_short_for_a_while_leaves_the_place_as_it_was(open_page):
+def test_a_place_of_a_link_is_as_it_was_once_a_rod_has_been_short_for_a_while(open_page):
     page = open_page("?gauge=0.1")
+    assert page.evaluate("() => strikewave.page.view.gauge.place") == 0.1
+    shortened(page, 0.03, 0.1)
+
+
+def shortened(page, short: float, then: float) -> None:
+    """Where the gauge is on a rod of a tenth of its length, and on the whole again."""
     length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
-    for written, then in (("30", 0.03), ("300", 0.1)):
+    for written, place in (("30", short), ("300", then)):
         page.answered(lambda written=written: type_into(length, written, "Enter"))
-        page.wait(f"() => strikewave.page.view.gauge.place === {then}")
-    other = open_page()
-    length = other.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
-    for written, then in (("30", 0.015), ("300", 0.15)):
-        other.answered(lambda written=written: type_into(length, written, "Enter"))
-        other.wait(f"() => strikewave.page.view.gauge.place === {then}")
-    assert "gauge" not in other.tab.url
+        page.wait(f"() => strikewave.page.view.gauge.place === {place}")
 
 
-def test_what_is_kept_is_laid_over(open_page):
-    page = open_page("?scene=figure-9.13")
+def test_what_is_kept_is_laid_over(gauged):
+    page = gauged("figure-9.13")
     page.evaluate("() => { strikewave.page.compare.keep(); }")
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('speed', 4)"))
     settled(page)
@@ -96,9 +117,9 @@ def test_what_is_kept_is_laid_over(open_page):
     assert page.evaluate(names) == ["exact waves", "modes", "A"]
 
 
-def test_saved_data_has_the_stress_at_the_place(show):
+def test_saved_data_has_the_stress_at_the_place(gauged):
     """Of both solutions, as the chart tells it; times are those of all other columns."""
-    page = show("?scene=figure-9.13")
+    page = gauged("figure-9.13")
     saved = page.evaluate("() => strikewave.page.view.rows(200)")
     names, told = saved["names"], np.array(saved["values"], float)
     assert names[-2:] == ["compression_waves_at_1000_mm_Pa", "compression_modal_at_1000_mm_Pa"]
@@ -108,9 +129,10 @@ def test_saved_data_has_the_stress_at_the_place(show):
 
 
 @pytest.mark.parametrize("scene", ["fixed-rod", "stepped-rod"])
-def test_strain_is_the_stress_over_the_modulus(scene, open_page):
-    page = open_page(f"?scene={scene}&gauge=0.1&view=laboratory")
+def test_strain_is_the_stress_over_the_modulus(gauged, scene):
+    page = gauged(scene)
     page.wait("() => strikewave.page.view.gauge.there")
+    page.evaluate(PLACE, 0.1)
     page.evaluate("() => strikewave.page.view.gauge.read('strain')")
     saved = page.evaluate("() => strikewave.page.view.rows(200)")
     names, told = saved["names"], np.array(saved["values"], float)
@@ -134,8 +156,8 @@ def test_what_can_be_read_fits_on_a_phone(language, open_page):
     assert max(switch.evaluate(edges)) <= 390
 
 
-def test_rods_of_two_materials_have_no_one_strain_to_read(show):
-    page = show("?scene=split-hopkinson")
+def test_rods_of_two_materials_have_no_one_strain_to_read(gauged):
+    page = gauged("split-hopkinson")
     page.wait("() => strikewave.page.view.gauge.there")
     shown = "() => [...strikewave.page.view.gauge.switches[0].root.querySelectorAll('button')].map((b) => b.hidden)"
     assert page.evaluate(shown) == [False, True, False, False, False]  # a specimen of aluminium between steel
@@ -154,9 +176,9 @@ def open_along(page):
     page.wait("() => strikewave.page.view.gauge.along.content.series.length > 0")
 
 
-def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(show):
+def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(gauged):
     """Exact waves at the instant of the clock; the two waves add up to the stress."""
-    page = show("?scene=fixed-rod")
+    page = gauged("fixed-rod")
     open_along(page)
     page.evaluate("() => strikewave.page.player.seek(0.3)")
     page.wait("() => strikewave.page.view.gauge.t === 0.3")
@@ -174,8 +196,8 @@ def test_the_front_is_a_step_along_the_rod_and_the_rest_is_what_the_solver_says(
     assert right == pytest.approx(np.interp(places, x, y), abs=1e-6 * y.max()) and not left.any()
 
 
-def test_the_place_is_dragged_along_the_body(show):
-    page = show("?scene=fixed-rod")
+def test_the_place_is_dragged_along_the_body(gauged):
+    page = gauged("fixed-rod")
     open_along(page)
     area = page.tab.locator(".time-views .chart:visible").filter(has_text="Along the body").locator(".chart-area")
     frame = page.evaluate("() => strikewave.page.view.gauge.along.frame")
@@ -189,10 +211,11 @@ def test_the_place_is_dragged_along_the_body(show):
     page.wait("() => location.search.includes('gauge=0.22')")
 
 
-def test_a_beam_is_read_along_it_and_at_any_place(open_page):
+def test_a_beam_is_read_along_it_and_at_any_place(gauged):
     name = "hammer-on-cantilever"
-    page = open_page(f"?layout=laboratory&scene={name}&gauge=0.1")
+    page = gauged(name)
     open_along(page)
+    page.evaluate(PLACE, 0.1)
     request = Request.of(own_choices(name))
     motion = main_solution(request)[0].motion
     t = page.evaluate(
@@ -208,16 +231,16 @@ def test_a_beam_is_read_along_it_and_at_any_place(open_page):
         assert np.median(np.abs(values - known)) < 0.02 * np.abs(known).max()
 
 
-def test_what_a_gauge_reads_is_in_the_link_where_it_is_not_what_the_scene_asks_for(open_page):
-    page = open_page("?scene=figure-4.19&layout=laboratory")
+def test_what_a_gauge_reads_is_in_the_link_where_it_is_not_what_the_scene_asks_for(gauged):
+    page = gauged("figure-4.19")
     assert page.evaluate("() => strikewave.page.view.gauge.what") == "velocity"
     page.evaluate("() => strikewave.page.view.gauge.read('stress')")
     page.wait("() => location.search.includes('read=stress')")
 
 
-def test_a_quantity_of_another_kind_is_not_read(open_page):
+def test_a_quantity_of_another_kind_is_not_read(gauged):
     """A visitor's own scene may ask for anything."""
-    page = open_page()
+    page = gauged("free-rod")
     page.evaluate("() => { strikewave.page.frame.opens.read = 'moment'; strikewave.page.view.gauge.body = undefined; }")
     page.evaluate("() => strikewave.page.view.load(strikewave.page.frame)")
     assert page.evaluate("() => strikewave.page.view.gauge.what") == "stress"

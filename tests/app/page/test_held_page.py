@@ -64,9 +64,6 @@ def test_values_of_bodies_do_not_move_what_is_fixed(open_page):
     expect(mass).to_be_visible()
     expect(mass).to_be_disabled()
     expect(page.tab.locator(".bodies").get_by_role("combobox").first).to_be_disabled()
-    page = open_page("?scene=fixed-rod&fix=law")
-    settled(page)
-    expect(page.tab.locator(".bodies").get_by_role("textbox").first).to_be_enabled()
 
 
 def test_no_change_is_offered_that_a_link_does_not_allow(open_page):
@@ -97,9 +94,10 @@ def test_a_bad_name_or_bound_is_refused_in_a_sentence(open_page, query, sentence
     expect(page.tab.locator(".toast")).to_contain_text(sentence)
 
 
-def test_a_scene_that_is_held_stays_and_the_gallery_shut(open_page):
-    page = open_page("?scene=fixed-rod&fix=scene")
+def test_a_scene_that_is_held_stays_and_the_gallery_shut_and_bodies_move_all_the_same(open_page):
+    page = open_page("?scene=fixed-rod&fix=scene,law")
     settled(page)
+    expect(page.tab.locator(".bodies").get_by_role("textbox").first).to_be_enabled()
     expect(page.tab.get_by_role("button", name="Lessons")).to_have_count(0)
     expect(page.tab.locator("button.scene")).to_be_disabled()
     page.tab.keyboard.press("g")
@@ -119,8 +117,7 @@ def test_with_all_hidden_the_left_dock_is_gone(open_page):
     expect(page.tab.locator(".dock.left")).to_be_hidden()
     expect(page.tab.locator(".folder.left")).to_be_hidden()
     assert page.tab.locator(".centre").bounding_box()["x"] < 20
-    page = open_page(f"?scene=fixed-rod&layout=opening&hide={ALL}")
-    settled(page)
+    page.tab.get_by_role("button", name="← Picture", exact=True).click()
     expect(page.tab.get_by_role("button", name="Charts", exact=True)).to_be_visible()
     expect(page.tab.get_by_role("button", name="Controls", exact=True)).to_have_count(0)
 
@@ -189,19 +186,6 @@ def test_a_form_makes_a_link_that_hides_fixes_and_bounds(open_page):
     expect(form.get_by_role("group", name="Modes").get_by_role("button", pressed=True)).to_have_text("Hidden")
 
 
-def test_a_link_for_a_class_keeps_the_layout_and_no_instant(open_page):
-    page = open_page("?scene=fixed-rod&layout=docks&tab=charts", own=True)
-    settled(page)
-    link = the_form(page).get_by_label("The link").input_value()
-    said = parse_qs(link.split("?")[1])
-    assert {key: said.get(key) for key in ("layout", "t", "playing", "tab")} == {
-        "layout": ["docks"],
-        "t": None,
-        "playing": None,
-        "tab": None,
-    }
-
-
 @pytest.mark.parametrize(
     "query, size, words",
     [
@@ -228,12 +212,17 @@ def test_where_a_link_hides_what_is_asked_the_source_does_not_tell_it(open_page)
     source = page.tab.locator(".closer .source, .source")
     expect(source).to_have_count(1)
     expect(source).to_have_text("")
-    page = open_page("?scene=drop-test&layout=opening")
+
+
+def test_a_link_for_a_class_keeps_the_layout_and_no_instant_and_hides_the_ways_to_look_closer(open_page):
+    page = open_page("?scene=drop-test&layout=docks&tab=charts", own=True)
+    settled(page)
+    said = parse_qs(the_form(page).get_by_label("The link").input_value().split("?")[1])
+    assert said["layout"] == ["docks"] and not {"t", "playing", "tab"} & said.keys()
+    page.tab.keyboard.press("Escape")  # shuts the form
+    page.tab.keyboard.press("Escape")  # and the dock
+    page.wait("() => location.search === '?scene=drop-test'")
     expect(page.tab.locator(".source")).to_have_text(re.compile("^Source: "))
-
-
-def test_a_link_hides_the_ways_to_look_closer(open_page):
-    page = open_page("?scene=drop-test&layout=opening", own=True)
     form = the_form(page)
     ways = form.get_by_role("group", name="Ways to look closer, and the source")
     expect(ways.get_by_role("button")).to_have_text(["Free", "Hidden"])

@@ -19,15 +19,29 @@ BOXES = """() => Object.fromEntries(['.stages', '.section', '.ask', '.caption', 
   (name) => [name, strikewave.page.root.querySelector(name).getBoundingClientRect().toJSON()]))"""
 
 
+@pytest.fixture
+def again(pages, show):
+    """The opening of a scene, whatever has been moved there; another one takes it back to what it begins with."""
+
+    def shown(scene: str = "fixed-rod", size=SIZES[0]):
+        page = show(pages.queries.get("opening", "?layout=opening"), size)
+        pages.queries["opening"] = "?again&layout=opening"  # no link: the next one is followed
+        if page.header("chosen")["scene"] == scene:
+            page.show_scene("free-rod" if scene == "fixed-rod" else "fixed-rod")
+        page.show_scene(scene)
+        settled(page)
+        return page
+
+    return shown
+
+
 def opened(page) -> None:
     page.wait("() => strikewave.page.root.querySelector('.happens li, .ask h2')?.textContent")
 
 
-def test_picture_and_rows_have_half_of_the_window_and_the_question_is_in_view(open_page):
-    page = open_page("", size=SIZES[-1])
-    opened(page)
-    check_room(page, SIZES[-1])
-    for size in SIZES[:-1]:
+def test_picture_and_rows_have_half_of_the_window_and_the_question_is_in_view(again):
+    page = again(size=SIZES[-1])
+    for size in reversed(SIZES):
         page.resize(*size)
         check_room(page, size)
 
@@ -109,13 +123,10 @@ def test_every_contact_of_a_hammer_is_seen_beside_the_rows(show):
     assert pushed == [True] * 5
 
 
-def test_the_rows_follow_a_slider(open_page):
-    page = open_page("")
-    opened(page)
-    state = """() => {
-      const { ends, most, words } = strikewave.page.opening.section;
-      return [[...ends], most, words.all];
-    }"""
+def test_the_rows_follow_a_slider(again):
+    page = again()
+    state = """() => { const { ends, most, words } = strikewave.page.opening.section;
+                       return [[...ends], most, words.all]; }"""
     ends, _, words = page.evaluate(state)
     set_and_wait(page, mass_ratio=0.3)
     settled(page)
@@ -128,7 +139,10 @@ def test_the_rows_follow_a_slider(open_page):
 
 
 def test_an_old_link_has_its_question_and_sliders_in_the_picture(open_page):
-    page = open_page("?scene=free-rod&mass_ratio=2")
+    page = open_page("?scene=free-rod&mass_ratio=2&layout=laboratory")
+    assert page.evaluate(MODE) == "desk"
+    settled(page)
+    page.wait("() => location.search === '?scene=free-rod&mass_ratio=2&layout=laboratory'")
     page.tab.locator(".folder.left").click()
     page.tab.get_by_role("button", name="← Picture", exact=True).click()
     expect(page.tab.locator(".ask h2")).to_contain_text("Nothing holds the rod.")
@@ -138,17 +152,12 @@ def test_an_old_link_has_its_question_and_sliders_in_the_picture(open_page):
     expect(page.tab.locator(".ask h2")).to_contain_text("peaks of force?")
 
 
-def test_a_scene_without_rows_gives_its_room_to_the_picture_and_takes_it_back(show):
-    page = show("?scene=bouncing-ball&layout=opening")
-    for scene, bare in (
-        ("rigid-pendulum", False),
-        ("percussion-rod", False),
-        ("free-rod", False),
-        ("bouncing-ball", True),
-        ("four-bar", False),
-    ):
+def test_a_scene_without_rows_gives_its_room_to_the_picture_and_takes_it_back(again):
+    page = again("bouncing-ball")
+    for scene in ("rigid-pendulum", "percussion-rod", "free-rod", "bouncing-ball", "four-bar"):
         set_and_wait(page, scene=scene)
-        assert page.evaluate("() => strikewave.page.root.classList.contains('bare')") == bare, scene
+        bare = page.evaluate("() => strikewave.page.root.classList.contains('bare')")
+        assert bare == (scene == "bouncing-ball"), scene
 
 
 # Where it has come to is answered by the server, too, once it rests: after that nothing else is offered.
@@ -159,9 +168,8 @@ WALKED = """(said) => {
 }"""
 
 
-def test_what_is_offered_is_done_and_the_next_is_offered(open_page):
-    page = open_page("?scene=fixed-rod&layout=opening")
-    opened(page)
+def test_what_is_offered_is_done_and_the_next_is_offered(again):
+    page = again()
     offers = [page.header("opens")["trials"]]
     change = page.tab.locator(".what-if")
     for _ in range(4):
@@ -174,9 +182,8 @@ def test_what_is_offered_is_done_and_the_next_is_offered(open_page):
     assert page.header("chosen")["scene"] == "free-rod" and len(offers[0]) > 2
 
 
-def test_a_slider_that_walks_stops_for_another_scene(open_page):
-    page = open_page("")
-    opened(page)
+def test_a_slider_that_walks_stops_for_another_scene(again):
+    page = again()
     page.tab.get_by_role("button", name="What if it were").click()
     page.evaluate("() => strikewave.page.controls.send('scene', 'two-unequal-rods')")
     page.tab.wait_for_timeout(1200)
@@ -207,10 +214,8 @@ def test_the_laboratory_is_one_click_away_is_remembered_and_back_leads_to_the_pi
     assert page.evaluate(MODE) == "lead"
 
 
-def test_all_else_slides_in_beside_a_picture_that_stays(open_page):
-    page = open_page("", size=SIZES[-1])
-    opened(page)
-    settled(page)
+def test_all_else_slides_in_beside_a_picture_that_stays(again):
+    page = again(size=SIZES[-1])
     for size in reversed(SIZES):
         page.resize(*size)
         check_docks(page, size)
@@ -267,15 +272,10 @@ def test_a_link_that_names_an_analysis_opens_it_beside_the_picture(open_page):
     page = open_page("?scene=two-balls&panel=energy", plain=True)
     assert page.evaluate(MODE) == "lead"
     expect(page.tab.locator(".dock.right .analysis:visible")).to_have_count(1)
-    page = open_page("?mass_ratio=2&layout=laboratory")
-    assert page.evaluate(MODE) == "desk"
-    settled(page)
-    page.wait("() => location.search === '?mass_ratio=2&layout=laboratory'")
 
 
-def test_the_question_counts_the_pushes_and_the_change_moves_the_slider(open_page):
-    page = open_page("")
-    opened(page)
+def test_the_question_counts_the_pushes_and_the_change_moves_the_slider(again):
+    page = again()
     page.tab.get_by_role("button", name="What if it were").click()
     page.wait("() => strikewave.page.frame.chosen.mass_ratio === 0.25 && !strikewave.page.asked")
     (until, *_), *others = [contact[1:] for contact in page.header("exact")["contacts"]]
@@ -288,10 +288,8 @@ def test_a_hand_on_the_rows_sets_the_clock(show):
     page = show("?layout=opening")
     box = page.tab.locator(".section").bounding_box()
     place, top, tall = page.evaluate(
-        """() => {
-          const { section } = strikewave.page.opening;
-          return [section.y(1.25), section.box.top, section.box.tall];
-        }"""
+        """() => { const { section } = strikewave.page.opening;
+                   return [section.y(1.25), section.box.top, section.box.tall]; }"""
     )
     page.tab.mouse.move(box["x"] + 500, box["y"] + place)
     page.tab.mouse.down()
@@ -337,16 +335,19 @@ def test_every_kind_has_its_question_and_its_picture(show, scene, rows, charts, 
     assert 2 <= page.tab.locator(".leading:visible").count() <= 4
 
 
-@pytest.mark.parametrize(("scene", "instant"), [("figure-8.7", 2e-5), ("figure-5.14", 6.7e-5)])
-def test_a_scene_of_one_instant_stands_there(open_page, scene, instant):
-    page = open_page(f"?scene={scene}", reduced_motion="no-preference")
-    settled(page)
-    assert page.evaluate("() => strikewave.page.player.t * strikewave.page.player.trip") == pytest.approx(instant)
-    assert not page.evaluate("() => strikewave.page.player.playing")
+def test_a_scene_of_one_instant_stands_there(open_page):
+    page = open_page("?scene=figure-8.7", reduced_motion="no-preference")
+    for scene, instant in (("figure-8.7", 2e-5), ("figure-5.14", 6.7e-5)):
+        if page.header("chosen")["scene"] != scene:
+            page.show_scene(scene)
+        settled(page)
+        now = page.evaluate("() => strikewave.page.player.t * strikewave.page.player.trip")
+        assert now == pytest.approx(instant), scene
+        assert not page.evaluate("() => strikewave.page.player.playing")
 
 
-def test_a_ball_of_the_cradle_leaves_with_the_speed_that_is_said(show):
-    page = show("?scene=newtons-cradle&layout=opening")
+def test_a_ball_of_the_cradle_leaves_with_the_speed_that_is_said(again):
+    page = again("newtons-cradle")
     said = page.evaluate("() => strikewave.page.opening.section.shown.feet.all.map(({ words }) => words)")
     speeds = solvers.solve(solvers.load("newtons-cradle"))
     expected = [speeds.impactor_velocity, *speeds.ball_velocities]
@@ -380,7 +381,6 @@ def test_the_clock_of_bodies_in_space_goes_through_the_impact(show):
 @pytest.mark.parametrize("scene", ["four-bar-moves", "figure-9.11", "sphere-on-half-space"])
 def test_tracks_lie_beside_one_another_within_the_picture(open_page, scene):
     page = open_page(f"?scene={scene}&layout=opening", size=SIZES[0])
-    opened(page)
     for size in SIZES:
         page.resize(*size)
         places, width = page.evaluate(

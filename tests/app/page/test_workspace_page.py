@@ -73,8 +73,8 @@ STRETCHED = """() => {
 }"""
 
 
-def test_no_chart_is_stretched_where_another_scene_hides_some(open_page):
-    page = open_page()
+def test_no_chart_is_stretched_where_another_scene_hides_some(anew):
+    page = anew()
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'two-balls')"))
     page.wait(f"() => ({STRETCHED})() === 0")
 
@@ -93,8 +93,8 @@ def test_the_charts_share_the_room_that_there_is(open_page, size, open_):
     assert sum(height > 80 for height in page.evaluate(CHARTS)) == open_
 
 
-def test_what_is_opened_is_seen_and_the_stage_stays(open_page):
-    page = open_page(size=(1280, 720))
+def test_what_is_opened_is_seen_and_the_stage_stays(anew):
+    page = anew(size=(1280, 720))
     panel, charts = page.tab.locator("section.analysis:visible"), page.tab.locator(".charts")
     close = page.tab.get_by_role("button", name=re.compile("^Close: "))
     for label in WIDE + BESIDE:
@@ -112,8 +112,8 @@ def test_what_is_opened_is_seen_and_the_stage_stays(open_page):
             close.first.click()
 
 
-def test_a_panel_can_be_widened_and_closed_where_it_is(open_page):
-    page = open_page()
+def test_a_panel_can_be_widened_and_closed_where_it_is(anew):
+    page = anew()
     page.analysis("Choose method by error")
     panel = page.tab.locator("section.auto")
     narrow = panel.bounding_box()["width"]
@@ -156,8 +156,11 @@ def test_a_browser_that_keeps_nothing_shows_the_page_all_the_same(open_page):
 # --- the clock --------------------------------------------------------------------------------------------------------
 
 
-def test_events_are_jumped_to_and_steps_are_small(open_page):
+def test_who_wants_no_motion_gets_none_jumps_to_events_and_takes_small_steps(open_page):
     page = open_page()
+    t = page.evaluate(T)
+    page.frames_pass(30)
+    assert page.evaluate(T) == t and not page.evaluate("() => strikewave.page.player.playing")
     page.evaluate("() => strikewave.page.player.go(0.2)")
     page.tab.locator("h1").click()
     page.tab.keyboard.press("]")
@@ -210,13 +213,6 @@ def test_the_page_moves_by_itself_and_waits_where_a_caption_speaks(open_page):
     page.wait("() => strikewave.page.player.playing && strikewave.page.player.t < 0.5")
 
 
-def test_who_wants_no_motion_gets_none(open_page):
-    page = open_page()
-    t = page.evaluate(T)
-    page.frames_pass(30)
-    assert page.evaluate(T) == t and not page.evaluate("() => strikewave.page.player.playing")
-
-
 def test_the_page_itself_holds_a_still_of_the_first_scene(open_page):
     page = open_page("", drawn=False)
     text = page.context.request.get(page.tab.url).text()
@@ -239,8 +235,8 @@ def test_the_still_shows_what_the_library_says():
     assert np.corrcoef(red, values)[0, 1] < -0.95  # colours are linear piece by piece
 
 
-def test_symbols_explain_themselves_to_pointer_and_keyboard(show):
-    page = show(LABORATORY)
+def test_symbols_explain_themselves_to_pointer_and_keyboard(anew):
+    page = anew()
     tip = page.tab.get_by_role("tooltip")
     page.tab.locator(".symbols .term", has_text="T").first.hover()
     expect(tip).to_contain_text("T: round trip")
@@ -254,8 +250,8 @@ def test_symbols_explain_themselves_to_pointer_and_keyboard(show):
     expect(tip).to_be_hidden()
 
 
-def test_what_a_field_explains_of_itself_is_no_bar_to_the_next_slider(open_page):
-    page = open_page()
+def test_what_a_field_explains_of_itself_is_no_bar_to_the_next_slider(anew):
+    page = anew()
     field = page.tab.get_by_label("Mass ratio, exact value")
     field.click()
     tip = page.tab.get_by_role("tooltip")
@@ -273,8 +269,8 @@ def test_what_a_field_explains_of_itself_is_no_bar_to_the_next_slider(open_page)
     page.tab.mouse.up()
 
 
-def test_a_scene_is_the_same_wherever_one_comes_from(open_page):
-    page = open_page("?scene=fixed-rod&modes=7&restitution=0.3")
+def test_a_scene_is_the_same_wherever_one_comes_from(anew):
+    page = anew(modes=7, restitution=0.3)
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
     chosen, own = page.header("chosen"), page.header("own")
     assert (chosen["modes"], chosen["restitution"]) == (own["modes"], own["restitution"])
@@ -309,8 +305,8 @@ def test_the_striker_is_pulled_back_for_speed(show, query):
     expect(page.tab.get_by_label("Impact speed, exact value")).to_have_value(f"{2 * before:g}")
 
 
-def test_the_corner_of_the_striker_sets_its_mass(open_page):
-    page = open_page()
+def test_the_corner_of_the_striker_sets_its_mass(anew):
+    page = anew()
     x, y, size = page.evaluate(
         """() => { const { canvas, striker } = strikewave.page.view.stage, from = canvas.getBoundingClientRect();
                    const { x, y, width } = striker.drawn; return [from.left + x, from.top + y, width]; }"""
