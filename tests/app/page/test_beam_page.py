@@ -288,7 +288,7 @@ def test_a_method_without_waves_says_so(anew):
 
 def test_how_far_the_beam_gives_way_is_among_the_figures(anew):
     page = anew("hammer-on-cantilever")
-    row = page.tab.locator("table.figures tr", has_text="largest deflection where struck, mm")
+    row = page.tab.locator("table.figures tr", has_text="deflection where struck, mm")
     solution = solvers.solve(solvers.load("hammer-on-cantilever"))
     found = float(row.locator("td").nth(1).text_content())
     assert found == pytest.approx(1e3 * peak_deflection(solution).value, rel=5e-3)  # it is said by three digits
