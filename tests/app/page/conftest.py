@@ -6,7 +6,7 @@ from ..conftest import LABORATORY
 from .moved import Shown
 
 # Nothing kept or open, then these settings; once they are answered, all as it is at first, and this panel is opened.
-ANEW = """([settings, panel]) => new Promise((done) => {
+ANEW = """([settings, panel]) => new Promise((done, failed) => {
   const { page } = strikewave, { analyses, compare, layout, player, toast } = page;
   compare.lock(false);
   compare.clear();
@@ -14,6 +14,7 @@ ANEW = """([settings, panel]) => new Promise((done) => {
   analyses.arrange();
   layout.tabs.select('story');
   page.goTo(settings, (frame) => {
+    if (!frame) return failed(new Error('these settings are not reached'));
     const { axis, usual, what } = page.view, { view } = page;
     if (what !== usual) view.colour(usual);
     axis?.show(axis.opened);
@@ -23,12 +24,12 @@ ANEW = """([settings, panel]) => new Promise((done) => {
     layout.tabs.panel('numbers').scrollTop = 0;
     toast.root.hidden = true;
     if (panel) analyses.open(analyses[panel]);
-    done();
+    return done();
   });
 })"""
 RESTS = """() => {
-  const { asked, telling, waiting } = strikewave.page;
-  return !asked && !telling && !Object.keys(waiting).length;
+  const { asked, frame, telling, waiting } = strikewave.page;
+  return !asked && !frame.draft && !telling && !Object.keys(waiting).length; // after many scenes, drafts come first
 }"""
 
 
