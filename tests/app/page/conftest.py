@@ -28,8 +28,8 @@ ANEW = """([settings, panel]) => new Promise((done, failed) => {
   });
 })"""
 RESTS = """() => {
-  const { asked, telling, waiting } = strikewave.page;
-  return !asked && !telling && !Object.keys(waiting).length;
+  const { asked, frame, telling, waiting } = strikewave.page;
+  return !asked && !frame.draft && !telling && !Object.keys(waiting).length; // after many scenes, drafts come first
 }"""
 
 

@@ -29,6 +29,7 @@ def again(pages, show):
         if page.header("chosen")["scene"] == scene:
             page.show_scene("free-rod" if scene == "fixed-rod" else "fixed-rod")
         page.show_scene(scene)
+        page.wait("() => !strikewave.page.frame.draft")
         settled(page)
         return page
 
@@ -125,8 +126,7 @@ def test_every_contact_of_a_hammer_is_seen_beside_the_rows(show):
 
 def test_the_rows_follow_a_slider(again):
     page = again()
-    state = """() => { const { ends, most, words } = strikewave.page.opening.section;
-                       return [[...ends], most, words.all]; }"""
+    state = "() => (({ ends, most, words }) => [[...ends], most, words.all])(strikewave.page.opening.section)"
     ends, _, words = page.evaluate(state)
     set_and_wait(page, mass_ratio=0.3)
     settled(page)
@@ -214,8 +214,8 @@ def test_the_laboratory_is_one_click_away_is_remembered_and_back_leads_to_the_pi
     assert page.evaluate(MODE) == "lead"
 
 
-def test_all_else_slides_in_beside_a_picture_that_stays(again):
-    page = again(size=SIZES[-1])
+def test_all_else_slides_in_beside_a_picture_that_stays(open_page):
+    page = open_page("", size=SIZES[-1])
     for size in reversed(SIZES):
         page.resize(*size)
         check_docks(page, size)
