@@ -79,7 +79,8 @@ def _imports(source: Path) -> frozenset[Path]:
         folder = source.parents[len(dots) - 1].joinpath(*module.split("."))
         found |= {folder.with_suffix(".py")} if module else set()
         found |= {folder / f"{name}.py" for name in re.findall(r"\w+", names)}
-    return frozenset(each for each in found if each.is_file() and each.relative_to(LIBRARY).parts[0] not in SAID)
+    said = [LIBRARY / each for each in SAID]
+    return frozenset(each for each in found if each.is_file() and not any(map(each.is_relative_to, said)))
 
 
 def cache_home() -> Path:

@@ -326,3 +326,9 @@ def test_where_nothing_can_be_kept_nothing_is_left(tmp_path):
     with pytest.raises(OSError):
         kept.keep_text(tmp_path / "known.json", "{}")
     assert [each.name for each in tmp_path.iterdir()] == ["known.json"]
+
+
+def test_kernels_beside_the_library_may_import_what_is_beside_them(tmp_path):
+    (tmp_path / "timing.py").write_text("STEP = 0.1\n", encoding="utf-8")
+    (tmp_path / "own.py").write_text("from .timing import STEP\n", encoding="utf-8")
+    assert kept._closure(tmp_path / "own.py") == {tmp_path / "own.py", tmp_path / "timing.py"}
