@@ -4,13 +4,20 @@ import math
 import textwrap
 from typing import Any
 
-from ..solution.peaks import PEAKS
 from .given import SOURCES, books_open, given
 from .words import family, listed, named, shown, text, vector
 
 LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
 LEAST_GIVEN = 1e-7  # of the energy, that is named: shares have five decimals
-PEAK_UNITS = {"m": (1e3, "mm"), "Pa": (1e-6, "MPa")}  # in which the largest values are printed
+PEAK_UNITS = {  # in which the largest values are printed
+    "acceleration": (1.0, "m/s2"),
+    "displacement": (1e3, "mm"),
+    "deflection": (1e3, "mm"),
+    "stress": (1e-6, "MPa"),
+    "tension": (1e-6, "MPa"),
+    "moment": (1.0, "N m"),
+    "support_force": (1.0, "N"),
+}
 
 
 def report(solution: Any) -> str:
@@ -80,7 +87,7 @@ def _peaks(solution: Any) -> list[str]:
     for name, peak in solution.peaks.items():
         if name == "displacement" and "deflection" in solution.peaks:
             continue
-        factor, unit = PEAK_UNITS.get(PEAKS[name].unit, (1.0, PEAKS[name].unit))
+        factor, unit = PEAK_UNITS[name]
         when = text("solve.after", time=peak.time)
         if peak.x is not None:
             when = text("solve.at", place=peak.x, time=peak.time)
