@@ -13,6 +13,7 @@ INSTANTS, PER_UNIT, MOST = 400, 180, 4_800  # at which they are: at least, in ea
 FEW, MORE = 2, 10  # so few places are looked at so many times as often
 TRIED = 4  # local maxima that are looked at closer
 FINER, ROUNDS = 11, 2  # points around each, each time between the two beside the largest
+CLOSE = 1e-9  # of a rod's length, of the first and the last place from its ends
 NUDGE = 1e-9  # of the unit of time, by which a front is behind rather than at a place
 PER_TRIP, PER_PULSE = 400, 50  # instants at which a wave is sent, in each unit of time and in the shortest contact
 SENT = 4_000, 40_000  # of them at least and at most
@@ -37,8 +38,9 @@ def _acceleration(solution: Any) -> Peak | None:
     if solution.motion is None or not solution.scene.impactor.free_mass or not force:
         return None
     motion = solution.known_motion
-    known = (motion.force, motion.resolved_force) if isinstance(motion, ResolvesForce) else (motion.force,)
-    time = motion.force_history()[0]
+    time, known = motion.force_history()[0], [motion.force]
+    if isinstance(motion, ResolvesForce):
+        known.append(motion.resolved_force)
     history, force_at = min(((each(time), each) for each in known), key=lambda pair: abs(pair[0].max() - force))
     largest = _first(history)
     start, end = time[max(largest - 1, 0)], time[min(largest + 1, time.size - 1)]
@@ -174,11 +176,8 @@ def _places(solution: Any) -> np.ndarray:
         return np.union1d(np.linspace(0.0, target.length, PLACES + 1), target.place)
     edges = _edges(solution)
     count = max(PLACES // (edges.size - 1), 10)
-    close = 1e-9 * np.array([1.0, -1.0])
-    return np.concatenate([
-        np.linspace(*(np.array([left, right]) + close * (right - left)), count + 1)
-        for left, right in pairwise(edges)
-    ])  # fmt: skip
+    inside = np.linspace(CLOSE, 1.0 - CLOSE, count + 1)
+    return np.concatenate([left + inside * (right - left) for left, right in pairwise(edges)])
 
 
 def _edges(solution: Any) -> np.ndarray:
