@@ -149,11 +149,12 @@ def _sweep_command(commands: Any) -> None:
     _scene_arguments(parser)
     span = "KEY=LOW..HIGH[:COUNT][:log|:linear]"
     parser.add_argument("--vary", required=True, metavar=span, help=text("help.sweep.vary"))
+    parser.add_argument("--figure", action="append", metavar="NAME", help=text("help.sweep.figure"))
 
     def run(options: argparse.Namespace) -> int:
         from .sweep import print_sweep
 
-        return print_sweep(_scene(options), options.vary, options.json)
+        return print_sweep(_scene(options), options.vary, options.figure, options.json)
 
     parser.set_defaults(run=run)
 

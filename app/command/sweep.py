@@ -32,11 +32,11 @@ def parse_range(given: str) -> tuple[str, np.ndarray]:
     return found["key"].strip(), values
 
 
-def print_sweep(scene: solvers.Scene, vary: str, as_json: bool) -> int:
+def print_sweep(scene: solvers.Scene, vary: str, figures: list[str] | None, as_json: bool) -> int:
     """Print the sweep as a table, or as a list of tables in JSON; after an interrupt what is solved by then."""
     key, values = parse_range(vary)
     with interruptible() as interrupted:
-        rows = sweep(scene, key, values, cancel=interrupted)
+        rows = sweep(scene, key, values, cancel=interrupted, figures=figures)
     print(json.dumps(rows, indent=1, allow_nan=False) if as_json else rows)
     if interrupted():
         print(text("sweep.stopped", done=len(rows), most=len(values)), file=sys.stderr)

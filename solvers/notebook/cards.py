@@ -185,11 +185,13 @@ def sweep_card(found: Any) -> str:
             _quantity(tuple(v) if isinstance(v := row["impactor"]["final_velocity"], list) else v, ""),
             _number(row["restitution"]["newton"], unknown="-"),
             _number(row["estimated_error"], unknown=unknown),
+            *(_number(row[name], unknown="-") for name in found.asked),
         )
         for row in found
     ]
     heads = ("contacts", "seconds", "newton-seconds", "newtons", "metres-per-second", "restitution", "own-error")
-    return _card("sweep", "", _table([found.key, *_named(heads)], rows), [])
+    asked = (f"{name} [{unit}]" if unit else name for name, unit in found.asked.items())
+    return _card("sweep", "", _table([found.key, *_named(heads), *asked], rows), [])
 
 
 def comparison_card(found: Any) -> str:

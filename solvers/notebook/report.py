@@ -5,11 +5,19 @@ import textwrap
 from typing import Any
 
 from .given import SOURCES, books_open, given
-from .largest import peak_bending_stress, peak_deflection
 from .words import family, listed, named, shown, text, vector
 
 LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
 LEAST_GIVEN = 1e-7  # of the energy, that is named: shares have five decimals
+PEAK_UNITS = {  # in which the largest values are printed
+    "acceleration": (1.0, "m/s2"),
+    "displacement": (1e3, "mm"),
+    "deflection": (1e3, "mm"),
+    "stress": (1e-6, "MPa"),
+    "tension": (1e-6, "MPa"),
+    "moment": (1.0, "N m"),
+    "support_force": (1.0, "N"),
+}
 
 
 def report(solution: Any) -> str:
@@ -39,7 +47,7 @@ def report(solution: Any) -> str:
     ]
     if solution.peak_indentation is not None:
         lines.append(f"  {text('solve.indentation'):21}{shown(solution.peak_indentation * 1e6, '.6g')} um")
-    lines += _bent(solution)
+    lines += _peaks(solution)
     lines += ["", "  " + text("solve.restitution")]
     for key, value in solution.restitution.items():
         known = text("report.not-defined") if value is None else shown(value, ".6f")
@@ -73,18 +81,18 @@ def _shares(solution: Any) -> list[str]:
     ]
 
 
-def _bent(solution: Any) -> list[str]:
-    """How far a beam gives way, and the stress of its outer fibre."""
-    found = (
-        (text("solve.deflection"), peak_deflection(solution), 1e3, "mm"),
-        (text("solve.bending-stress"), peak_bending_stress(solution), 1e-6, "MPa"),
-    )
-    return [
-        f"  {name:21}{shown(abs(largest.value) * factor, '.5g')} {unit}   "
-        f"({text('solve.at', place=largest.x, time=largest.time)})"
-        for name, largest, factor, unit in found
-        if largest is not None
-    ]
+def _peaks(solution: Any) -> list[str]:
+    """The largest values, where and when; of a beam the deflection wherever it is largest."""
+    lines = []
+    for name, peak in solution.peaks.items():
+        if name == "displacement" and "deflection" in solution.peaks:
+            continue
+        factor, unit = PEAK_UNITS[name]
+        when = text("solve.after", time=peak.time)
+        if peak.x is not None:
+            when = text("solve.at", place=peak.x, time=peak.time)
+        lines.append(f"  {named('peak', name):21}{shown(abs(peak.value) * factor, '.5g')} {unit}   ({when})")
+    return lines
 
 
 def brief(solution: Any) -> str:

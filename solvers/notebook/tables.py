@@ -1,7 +1,7 @@
 """Studies as tables of plain text: what `print` shows of them, and the command."""
 
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from ..text.catalogue import library, spoken
@@ -20,16 +20,18 @@ COLUMNS = {  # and how wide they are at least
 }
 
 
-def sweep(key: str, rows: list[dict[str, Any]]) -> str:
-    """A line for each value."""
+def sweep(key: str, rows: list[dict[str, Any]], asked: Mapping[str, str]) -> str:
+    """A line for each value; `asked` besides, by name its unit."""
     width = max(len(key), 12)
-    heads = family("sweep.head")
-    sizes = {name: max(size, len(heads[name])) for name, size in COLUMNS.items()}
-    head = "  ".join([f"  {key:>{width}}", *(f"{heads[name]:>{size}}" for name, size in sizes.items())])
-    return "\n".join([head, *(_line(row, width, [*sizes.values()]) for row in rows)])
+    heads = [family("sweep.head")[name] for name in COLUMNS]
+    heads += [f"{name} [{unit}]" if unit else name for name, unit in asked.items()]
+    least = [*COLUMNS.values()] + [12] * len(asked)
+    sizes = [max(size, len(head)) for size, head in zip(least, heads, strict=True)]
+    head = "  ".join([f"  {key:>{width}}", *(head.rjust(size) for head, size in zip(heads, sizes, strict=True))])
+    return "\n".join([head, *(_line(row, width, sizes, asked) for row in rows)])
 
 
-def _line(row: dict[str, Any], width: int, sizes: list[int]) -> str:
+def _line(row: dict[str, Any], width: int, sizes: list[int], asked: Iterable[str]) -> str:
     velocity = row["impactor"]["final_velocity"]
     if isinstance(velocity, list):  # of a body in space
         velocity = vector(velocity, ".4g")
@@ -37,7 +39,7 @@ def _line(row: dict[str, Any], width: int, sizes: list[int]) -> str:
     cells = [
         (row["contacts"], "d"), (row["impulse"], ".6g"), (peak, ".6g"), (1e6 * row["contact_time"], ".6g"),
         (velocity, "+.6f"), (row["restitution"]["newton"], ".6f"), (row["energy_error"], "+.1e"),
-        (row["estimated_error"], ".1e"),
+        (row["estimated_error"], ".1e"), *((row[name], ".6g") for name in asked),
     ]  # fmt: skip
     sized = (shown(*cell).rjust(size) for cell, size in zip(cells, sizes, strict=True))
     return "  ".join([f"  {shown(row['value'], '.8g'):>{width}}", *sized])

@@ -34,8 +34,8 @@ class Modes:
     moments(x) [N m] and shears(x) [N], (modes, x), of a beam: M = E I psi', and V = M' where inertia is nothing, per
     unit of the modal coordinate [kg^1/2 m];
     numbers (modes,), from 1 on, of each among the modes of the body; None: they are all, in their order;
-    static_shapes(x) [m/N] and, of a beam, static_moments(x) [m] and static_shears(x) [-], (x,), by all modes under a
-    steady force of 1 N where the body is struck, held by its inertia if it is free.
+    static_shapes(x) [m/N] and, of a rod, static_slopes(x) [1/N], of a beam static_moments(x) [m] and static_shears(x)
+    [-], (x,), by all modes under a steady force of 1 N where the body is struck, held by its inertia if it is free.
     """
 
     frequencies: np.ndarray
@@ -51,12 +51,13 @@ class Modes:
     moments: Callable[[np.ndarray], np.ndarray] | None = None
     shears: Callable[[np.ndarray], np.ndarray] | None = None
     static_shapes: Callable[[np.ndarray], np.ndarray] | None = None
+    static_slopes: Callable[[np.ndarray], np.ndarray] | None = None
     static_moments: Callable[[np.ndarray], np.ndarray] | None = None
     static_shears: Callable[[np.ndarray], np.ndarray] | None = None
     numbers: np.ndarray | None = None
 
     def left_out(self, field: str, x: np.ndarray) -> np.ndarray:
-        """That field, "shapes", "moments" or "shears", of all modes left out under a steady force of 1 N, (x,).
+        """That field, "shapes", "slopes", "moments" or "shears", of all modes left out under a steady 1 N, (x,).
 
         They follow a force slower than themselves as springs do: where the body is struck it gives way by
         `residual_compliance` more, and what they carry of a support reaction is lost without it. Zero where no static

@@ -46,6 +46,7 @@ def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count:
         shapes=lambda x: amplitude * np.cos(np.multiply.outer(wavenumbers, x)),
         slopes=lambda x: -amplitude * wavenumbers[:, None] * np.sin(np.multiply.outer(wavenumbers, x)),
         static_shapes=static_rod_shape(length, length**2 / (mass * wave_speed**2), fixed),
+        static_slopes=static_rod_slope(length, length**2 / (mass * wave_speed**2), fixed),
     )
 
 
@@ -65,8 +66,14 @@ def rotating_rod_modes(length: float, mass: float, wave_speed: float, speed: flo
         part = 1.0 - np.asarray(x, float) / length
         return unit * (np.sin(angle * part) / (angle * np.cos(angle)) if angle > 0.0 else part)
 
+    def slope(x: np.ndarray) -> np.ndarray:
+        part = 1.0 - np.asarray(x, float) / length
+        return -unit / length * np.cos(angle * part) / np.cos(angle)
+
     left_out = max(float(whole - np.sum((still.at_contact / frequencies) ** 2)), 0.0)
-    return replace(still, frequencies=frequencies, residual_compliance=left_out, static_shapes=static)
+    return replace(
+        still, frequencies=frequencies, residual_compliance=left_out, static_shapes=static, static_slopes=slope
+    )
 
 
 def static_rod_shape(length: float, compliance: float, fixed: bool) -> Callable[[np.ndarray], np.ndarray]:
@@ -80,6 +87,16 @@ def static_rod_shape(length: float, compliance: float, fixed: bool) -> Callable[
         return compliance * (1.0 - place if fixed else 1.0 / 3.0 - place + 0.5 * place**2)
 
     return shape
+
+
+def static_rod_slope(length: float, compliance: float, fixed: bool) -> Callable[[np.ndarray], np.ndarray]:
+    """Slope (x,) [1/N] of that displacement."""
+
+    def slope(x: np.ndarray) -> np.ndarray:
+        place = np.asarray(x, float) / length
+        return compliance / length * (0.0 * place - 1.0 if fixed else place - 1.0)
+
+    return slope
 
 
 def composite_rod_modes(
@@ -162,4 +179,5 @@ def attached_rod_modes(length: float, mass: float, wave_speed: float, count: int
         shapes=shapes,
         slopes=slopes,
         static_shapes=static,
+        static_slopes=static_rod_slope(length, length**2 / (mass * wave_speed**2), False),
     )

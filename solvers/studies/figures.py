@@ -1,4 +1,4 @@
-"""What came of each of many scenes, as columns: all figures, or those that were asked for."""
+"""What came of each of many scenes, as columns: the usual figures, or those that were asked for."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from .. import validation
+from ..solution.peaks import PEAKS
 from ..solution.solution import Solution
 from ..validation import SceneError, allowed
 
@@ -19,7 +20,11 @@ def _error(name: str) -> Callable[[Solution], float | None]:
     return lambda solution: solution.diagnostics[name]
 
 
-FIGURES: dict[str, tuple[str, Callable[[Solution], float | None]]] = {  # unit, and how a solution gives it
+def _peak(name: str) -> Callable[[Solution], float | None]:
+    return lambda solution: None if (peak := PEAKS[name].find(solution)) is None else abs(peak.value)
+
+
+USUAL: dict[str, tuple[str, Callable[[Solution], float | None]]] = {  # unit, and how a solution gives it
     "contacts": ("", lambda solution: len(solution.contacts)),
     "contact_time": ("s", lambda solution: solution.contact_time),
     "duration": ("s", lambda solution: solution.duration),
@@ -37,6 +42,8 @@ FIGURES: dict[str, tuple[str, Callable[[Solution], float | None]]] = {  # unit, 
     "momentum_error": ("", _error("momentum_error")),
     "estimated_error": ("", _error("estimated_error")),
 }
+LOOKED_FOR = {f"peak_{name}": (asked.unit, _peak(name)) for name, asked in PEAKS.items()}  # each costs some ms
+FIGURES = USUAL | LOOKED_FOR
 
 
 class _Column:
@@ -74,6 +81,14 @@ class Figures:
     energy_error = _Column()  # of the energy before
     momentum_error = _Column()  # of the impactor's momentum
     estimated_error = _Column()  # of the impactor's velocity, of the speed of approach
+    # Where they are asked for: sizes of the largest values, see `Solution.peaks`.
+    peak_acceleration = _Column()  # of a rigid impactor [m/s2]
+    peak_displacement = _Column()  # of the struck face of what is held [m]
+    peak_deflection = _Column()  # of a held beam, anywhere [m]
+    peak_stress = _Column()  # along rods, or in the outer fibre of a beam [Pa]
+    peak_tension = _Column()  # along rods [Pa]
+    peak_moment = _Column()  # of a beam [N m]
+    peak_support_force = _Column()  # [N]
 
     def __init__(
         self,
@@ -128,9 +143,9 @@ class Figures:
 
 
 def asked_for(figures: Sequence[str] | None) -> tuple[str, ...]:
-    """All of them, or these. Raises SceneError for a word that is none."""
+    """All that cost nothing, or these. Raises SceneError for a word that is none."""
     if figures is None:
-        return tuple(FIGURES)
+        return tuple(USUAL)
     if isinstance(figures, str) or not figures:
         raise SceneError("figures", figures, allowed("choice", options=list(FIGURES)))
     return tuple(dict.fromkeys(validation.choice("figures", name, FIGURES) for name in figures))

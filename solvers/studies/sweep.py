@@ -20,7 +20,7 @@ from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..solve import read_method, solve
 from ..validation import SceneError, allowed
-from .figures import FIGURES, Figures, asked_for, figures_of
+from .figures import FIGURES, LOOKED_FOR, Figures, asked_for, figures_of
 from .mass_ratios import TERMS
 from .varied import unit_of
 
@@ -59,7 +59,8 @@ def solve_many(
     those named in `figures`, where it is given, and what is not asked for is not worked out.
 
     Where a rigid mass strikes one uniform rod, and exact waves solve it, no scene is looked at twice: 100 000 of them
-    take a second or two. All others are solved one by one. Kernels run on `workers` threads (as many as there are
+    take a second or two. All others are solved one by one, and all of which largest values of fields are asked for
+    (`peak_stress` and others, which take some ms each). Kernels run on `workers` threads (as many as there are
     processors). Raises SceneError for columns that do not fit together, or for a value that is not allowed;
     SceneNotSupported as `solve` does. Bodies in space have no such figures.
     """
@@ -83,7 +84,7 @@ def _varied(
     arrays = {key: _numbers(key, values) for key, values in columns.items()}
     _check_columns(arrays)
     units = {key: unit_of(scene, key) for key in arrays}
-    if _quick(scene, method) and set(arrays) <= QUICK_KEYS and scene.impactor.kind == "mass":
+    if _quick(scene, method, names) and set(arrays) <= QUICK_KEYS and scene.impactor.kind == "mass":
         bodies = _bodies_of_columns(scene, arrays)
         found = _impacts_on_rods(bodies, lambda row: _with(scene, _row_of(arrays, row)), workers, names)
         return Figures(found, arrays, units)
@@ -98,15 +99,17 @@ def _solved(
     """Columns of figures by their names."""
     if any(scene.normal is not None for scene in scenes):
         raise SceneError("scenes", "bodies in space", allowed("scenes-on-axis"))
-    if all(_quick(scene, method) for scene in scenes):
+    if all(_quick(scene, method, names) for scene in scenes):
         return _impacts_on_rods(_bodies_of(scenes), lambda row: scenes[row], workers, names)
     with all_processors(workers) as pool:
         rows = list(pool.map(lambda scene: figures_of(solve(scene, method), names), scenes))
     return dict(zip(names, zip(*rows, strict=True), strict=True))
 
 
-def _quick(scene: Scene, method: str | Method | None) -> bool:
-    """Whether the exact waves of a rigid mass on one rod are wanted, until the bodies part for good."""
+def _quick(scene: Scene, method: str | Method | None, figures: Sequence[str]) -> bool:
+    """Whether the exact waves of a rigid mass on one rod are wanted, until the bodies part for good, and no fields."""
+    if not LOOKED_FOR.keys().isdisjoint(figures):
+        return False
     name = scene.method.get("name", Waves.NAME) if method is None else method
     options = scene.method.keys() - {"name"} if method is None else ()
     return name in ("waves", Waves()) and not options and one_front(scene)
@@ -223,11 +226,13 @@ def _strike_all(beta: np.ndarray, reflection: np.ndarray, out: np.ndarray) -> No
 
 
 class Sweep(list[dict[str, Any]]):
-    """The rows of a sweep, with the key that was varied and its unit; printed as a table."""
+    """The rows of a sweep, with the key that was varied and its unit; printed as a table. `asked`: the figures that
+    were named, with their units."""
 
-    def __init__(self, key: str, rows: Iterable[dict[str, Any]] = (), unit: str = ""):
+    def __init__(self, key: str, rows: Iterable[dict[str, Any]] = (), unit: str = "", asked: Sequence[str] = ()):
         super().__init__(rows)
         self.key, self.unit = key, unit
+        self.asked = {name: FIGURES[name][0] for name in asked}
 
     def figures(self) -> Figures:
         """The same as columns. Raises SceneError for bodies in space, whose velocities have three components."""
@@ -248,7 +253,7 @@ class Sweep(list[dict[str, Any]]):
     def __str__(self) -> str:
         from ..notebook import tables
 
-        return tables.sweep(self.key, self)
+        return tables.sweep(self.key, self, self.asked)
 
     def _repr_html_(self) -> str:
         from ..notebook import cards
@@ -262,39 +267,40 @@ def sweep(
     values: Sequence[float] | np.ndarray,
     workers: int | None = None,
     cancel: Callable[[], bool] | None = None,
+    figures: Sequence[str] | None = None,
 ) -> Sweep:
     """The scene solved with each of the values for one of its keys, by the method it names.
 
     One row each: value, number of contacts, impulse [N s], peak_force [N], contact_time [s], peak_indentation [m],
-    impactor velocity [m/s], restitution, energy_error, estimated_error; None where undefined. Keys that take whole
-    numbers get rounded ones, once each. `cancel()` true: what has not begun is left out. Raises SceneError with the
-    first value that cannot be solved.
+    impactor velocity [m/s], restitution, energy_error, estimated_error; None where undefined; besides them those
+    `figures` of `Figures` that are named, as "peak_stress". Keys that take whole numbers get rounded ones, once each.
+    `cancel()` true: what has not begun is left out. Raises SceneError with the first value that cannot be solved.
     Cost: that of `solve_many` where it is quick; else the solves, shared by `workers` threads (as many as there are
     processors), and at most 2000 of them; kernels run side by side.
     """
     scene = scene_of(scene)
-    quick = _quick(scene, None) and key in QUICK_KEYS and scene.impactor.kind == "mass"
+    more = () if figures is None else asked_for(figures)
+    quick = _quick(scene, None, more) and key in QUICK_KEYS and scene.impactor.kind == "mass"
     validation.whole_number("number of values", len(values), 1, MOST_QUICK if quick else MOST_VALUES)
     values = [validation.number(key, value, -math.inf, math.inf) for value in _numbers(key, values).tolist()]
     if quick:
         found = solve_many(scene, {key: values}, workers=workers)
-        return Sweep(key, _rows(values, found), found.units[key])
+        return Sweep(key, _rows(values, found, more), found.units[key], more)
     if _takes_whole_numbers(scene, key, values[0]):
         values = list(dict.fromkeys(round(value) for value in values))
     scenes = [_with(scene, {key: value}) for value in values]  # all are read before any is solved
-    rows = Sweep(
-        key, [_row(values[0], solve(scenes[0]))], unit_of(scene, key)
-    )  # alone: if kernels must be compiled, then once
+    first = _row(values[0], solve(scenes[0]), more)  # alone: if kernels must be compiled, then once
+    rows = Sweep(key, [first], unit_of(scene, key), more)
 
     def row(value: float, changed: Scene) -> dict[str, Any] | None:
-        return None if cancel is not None and cancel() else _row(value, solve(changed))
+        return None if cancel is not None and cancel() else _row(value, solve(changed), more)
 
     with all_processors(workers) as pool:
         rows += filter(None, pool.map(row, values[1:], scenes[1:]))
     return rows
 
 
-def _rows(values: list[float], found: Figures) -> list[dict[str, Any]]:
+def _rows(values: list[float], found: Figures, more: Sequence[str]) -> list[dict[str, Any]]:
     """As `_row` gives them."""
     known = {
         name: np.where(np.isnan(column), np.array(None), column).tolist() for name, column in found.columns.items()
@@ -306,7 +312,7 @@ def _rows(values: list[float], found: Figures) -> list[dict[str, Any]]:
             **{name: known[name][row] for name in plain},
             "impactor": {"final_velocity": known["impactor_velocity"][row]},
             "restitution": {name: known[name][row] for name in ("newton", "poisson", "newton_at_contact")},
-            **{name: known[name][row] for name in ("energy_error", "estimated_error")},
+            **{name: known[name][row] for name in ("energy_error", "estimated_error", *more)},
         }
         for row, value in enumerate(values)
     ]
@@ -332,7 +338,7 @@ def _takes_whole_numbers(scene: Scene, key: str, value: float) -> bool:
     return True
 
 
-def _row(value: float, solution: Solution) -> dict[str, Any]:
+def _row(value: float, solution: Solution, more: Sequence[str]) -> dict[str, Any]:
     found: Mapping[str, Any] = solution.diagnostics
     velocity = solution.impactor_velocity
     return {
@@ -346,4 +352,5 @@ def _row(value: float, solution: Solution) -> dict[str, Any]:
         "restitution": solution.restitution,
         "energy_error": found["energy_error"],
         "estimated_error": found["estimated_error"],
+        **dict(zip(more, figures_of(solution, more), strict=True)),
     }

@@ -18,6 +18,7 @@ export class ModalField extends Field {
   at = 0; // number of the step that is reached
   rigid = [0, 0]; // displacement and velocity of the rod as a whole
   /** @type {{ q: Float32Array, w: Float32Array, rigid: number[] }[]} */ saved = [];
+  /** @type {Map<number, Float64Array | null>} by points */ left = new Map();
   /** @type {Map<number, { cosines: Float64Array, sines: Float64Array }>} */ shapes = new Map();
 
   /** @param {AxialFrame} frame */
@@ -43,6 +44,11 @@ export class ModalField extends Field {
     this.kickW = this.omega.map((w, i) => ((2 * felt[i]) / (w * w)) * Math.sin(w * h));
     this.q = new Float64Array(n);
     this.w = new Float64Array(n);
+    // what the modes left out carry of the force, averaged over what is resolved
+    this.kept = frame.modalForce ? this.omega.map((w, i) => (2 * felt[i]) / w) : null;
+    this.smoothing = Math.max(2 * h, frame.rigid ? (2 * Math.PI) / this.omega[n - 1] : 0);
+    this.impulses = new Float64Array(this.steps + 1);
+    for (let k = 0; k < this.steps; k++) this.impulses[k + 1] = this.impulses[k] + h * this.force[k];
   }
   step() {
     const { q, w, cosine, sine, kickQ, kickW, h } = this;
@@ -97,7 +103,9 @@ export class ModalField extends Field {
     const shapes = this.attached?.shapes ?? this.shapes;
     const known = shapes.get(points);
     if (known) return known;
-    const made = this.rows(Float64Array.from({ length: points }, (_, j) => j / (points - 1)));
+    const shares = Float64Array.from({ length: points }, (_, j) => j / (points - 1));
+    const made = this.rows(shares);
+    this.left.set(points, this.beside(shares, made.sines));
     shapes.set(points, made);
     return made;
   }
@@ -118,6 +126,29 @@ export class ModalField extends Field {
     return made;
   }
   /**
+   * The stress that the modes left out carry under a steady force of 1 at these places, or nothing.
+   * @param {Float64Array} shares  of the length
+   * @param {Float64Array} sines  of the modes there
+   */
+  beside(shares, sines) {
+    const { free, kept } = this;
+    if (!kept) return null;
+    return shares.map((share, j) =>
+      kept.reduce((left, each, i) => left - each * sines[i * shares.length + j], free ? 1 - share : 1),
+    );
+  }
+  /** The force about the instant that is reached, which they follow as if it were steady. */
+  resolved() {
+    const { at, h, impulses, smoothing, steps } = this;
+    const reach = smoothing / (2 * h);
+    const [start, end] = [Math.max(at - reach, 0), Math.min(at + reach, steps)];
+    const upTo = (/** @type {number} */ place) => {
+      const k = Math.min(Math.floor(place), steps - 1);
+      return impulses[k] + (place - k) * (impulses[k + 1] - impulses[k]);
+    };
+    return (upTo(end) - upTo(start)) / ((end - start) * h);
+  }
+  /**
    * How much there is of a mode.
    * @param {number} i
    * @param {What} what
@@ -136,12 +167,14 @@ export class ModalField extends Field {
    * @param {What} what
    */
   history(place, [start, end], what) {
-    const { cosines, sines } = this.rows(Float64Array.of((place - this.from) / (this.to - this.from)));
+    const shares = Float64Array.of((place - this.from) / (this.to - this.from));
+    const { cosines, sines } = this.rows(shares);
+    const beside = what === 'stress' ? this.beside(shares, sines) : null;
     const shape = what === 'stress' ? sines : cosines;
     const count = Math.min(Math.max(SAMPLES * this.omega.length * (end - start), LEAST_SAMPLES), MOST_SAMPLES);
     return evenly([start, end], Math.ceil(count), (t) => {
       this.seek(t);
-      let sum = this.whole(what);
+      let sum = this.whole(what) + (beside ? beside[0] * this.resolved() : 0);
       for (let i = 0; i < shape.length; i++) sum += this.amount(i, what) * shape[i];
       return sum;
     });
@@ -155,8 +188,13 @@ export class ModalField extends Field {
     this.seek(t);
     const points = out.length;
     const { cosines, sines } = this.table(points);
+    const beside = this.left.get(points);
     const shape = what === 'stress' ? sines : cosines;
     out.fill(this.whole(what));
+    if (what === 'stress' && beside) {
+      const force = this.resolved();
+      for (let j = 0; j < points; j++) out[j] = beside[j] * force;
+    }
     for (let i = 0; i < this.omega.length; i++) {
       const amount = this.amount(i, what);
       for (let j = 0, k = i * points; j < points; j++, k++) out[j] += amount * shape[k];

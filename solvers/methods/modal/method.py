@@ -212,6 +212,7 @@ class Modal(Method):
             nothing: dict = {
                 "residual_compliance": 0.0,
                 "static_shapes": None,
+                "static_slopes": None,
                 "static_moments": None,
                 "static_shears": None,
             }

@@ -225,11 +225,11 @@ class ModalMotion:
         return self._sum(self.amplitudes(time)[0], x, "shears") + self._left_out(time, x, "shears")
 
     def _left_out(self, time, x, name):
-        """That field of the modes left out of a beam (time, x), which follow the force as if it were steady.
+        """That field of the modes left out (time, x), which follow the force as if it were steady.
 
         Source: the mode-acceleration method; what is left out is then of the order of (T_kept / T_force)^2.
         """
-        row = self._row_left_out(x, name) if name in ("moments", "shears") else np.zeros(np.size(x))
+        row = self._row_left_out(x, name)
         return np.multiply.outer(self.smoothed_force(time) if row.any() else np.zeros(np.size(time)), row)
 
     def _row_left_out(self, x, name):

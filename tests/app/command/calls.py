@@ -6,7 +6,7 @@ from app.command.main import main
 
 KEYS = {
     "scene", "method", "contacts", "contact_time", "impulse", "peak_force", "peak_indentation", "residual_indentation",
-    "impactor", "target", "restitution", "energy", "diagnostics", "duration", "notes", "note_codes",
+    "peaks", "impactor", "target", "restitution", "energy", "diagnostics", "duration", "notes", "note_codes",
 }  # fmt: skip
 
 

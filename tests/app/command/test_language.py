@@ -59,6 +59,7 @@ KEYS = {
     *solvers.METHODS,
     *solvers.LAWS,
     *QUANTITIES,
+    "MPa",
     "newmark",
     "structural",
     "first",
