@@ -217,6 +217,7 @@ export class Page {
    */
   send(name, value) {
     this.player.rest();
+    this.history.choose(name, value);
     this.changes.set(name, value, () => this.own.take());
   }
   /**
