@@ -11,9 +11,11 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --durations=25
 # Bytecode is written at the first import, of what is imported: else each of the many processes of tests makes its own.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: serve check coverage test machines docs bench tables wasm peers screenshot clean chromium haproxy
+.PHONY: serve check coverage test machines docs bench tables wasm package peers screenshot clean chromium haproxy
 
+# The page is packed where Node and esbuild are there already; else its plain modules are sent.
 serve: $(VENV)/.installed
+	-@[ ! -d node_modules/esbuild ] || node pack.js
 	$(BIN)/impact serve
 
 check: $(VENV)/.installed-test
@@ -23,7 +25,7 @@ check: $(VENV)/.installed-test
 coverage: $(VENV)/.installed-test
 	$(PYTEST) -m "not browser and not slow" --cov --cov-report=term
 
-test: $(VENV)/.installed-test chromium haproxy node_modules/.installed
+test: $(VENV)/.installed-test chromium haproxy package
 	$(BIN)/impact warm  # else each of the servers that tests start would compile the same
 	$(PYTEST) -n $$(($$(nproc) + 1))  # tests of the page wait half of their time
 
@@ -35,7 +37,7 @@ machines: $(VENV)/.installed-test node_modules/.installed
 	$(BIN)/python -m tests.machines
 
 # Needs no network once installed, neither to build nor to read.
-docs: $(VENV)/.installed-test
+docs: $(VENV)/.installed-test package
 	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --quiet --strict
 	@$(BIN)/impact export-static build/site/impact
 	@echo "Built: build/site/index.html"
@@ -50,6 +52,10 @@ tables: $(VENV)/.installed-test
 # The kernels for browsers; `make test` refuses them where their sources have changed since.
 wasm: $(VENV)/.installed-test
 	$(BIN)/python -m app.wasm.build
+
+# The page in a few files, less than half as large: before a wheel is built, or a class comes.
+package: node_modules/.installed
+	@node pack.js
 
 # Other programs on the same impacts, on one thread; `make bench` runs them too once they are installed.
 peers: $(VENV)/.installed-test
@@ -88,7 +94,7 @@ haproxy:
 	@command -v haproxy >/dev/null || [ -x /usr/sbin/haproxy ] || { echo "Installing HAProxy"; \
 		{ $(SUDO) apt-get update -qq && $(SUDO) apt-get install -qq -y --no-install-recommends haproxy >/dev/null; } || true; }
 
-# Checks of the browser code; the page itself needs none of them.
+# Checks and packing of the browser code; its modules run without them.
 node_modules/.installed: package.json
 	@command -v npm >/dev/null 2>&1 || { echo "Installing Node"; \
 		$(SUDO) apt-get update -qq && $(SUDO) apt-get install -qq -y --no-install-recommends nodejs npm >/dev/null; }
@@ -96,4 +102,4 @@ node_modules/.installed: package.json
 	@touch $@
 
 clean:
-	rm -rf $(VENV) node_modules build *.egg-info .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) node_modules build app/packed *.egg-info .pytest_cache .ruff_cache .hypothesis .import_linter_cache

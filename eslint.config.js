@@ -30,7 +30,7 @@ const BROWSER = [
 ];
 
 export default [
-  { ignores: ['.venv/', 'build/'] },
+  { ignores: ['.venv/', 'build/', 'app/packed/'] },
   js.configs.recommended,
   {
     files: ['app/static/**/*.js'],

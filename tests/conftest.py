@@ -1,11 +1,17 @@
 """How hypothesis searches, in which order files are begun, and what tests check besides, in servers they start too."""
 
+import gc
 import os
 import sys
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 from solvers.jit.shortcuts import shorten
+
+# What is loaded and collected stays till the end: to look through it again and again, meanwhile and later, takes each
+# worker a third of its time until the first test.
+gc.disable()
 
 shorten()
 os.environ["IMPACT_CHECK_MESSAGES"] = "1"  # read by app.messages.encoding
@@ -39,3 +45,9 @@ def pytest_collection_modifyitems(items):
             item.add_marker("browser")
         if {"server", "own_server"} & set(item.fixturenames):
             item.add_marker("slow")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtestloop():
+    gc.freeze()
+    gc.enable()

@@ -42,32 +42,35 @@ console.log(JSON.stringify(found));
 """
 
 
-def of_python() -> Iterator[tuple[str, re.Pattern, bool]]:
+def of_python(file: str) -> Iterator[tuple[str, re.Pattern, bool]]:
     """Where each stands, compiled, and whether it is searched for; one that is only known while running is an error."""
-    for file in sorted([*ROOT.glob("solvers/**/*.py"), *ROOT.glob("app/**/*.py")]):
-        name, text = file.relative_to(ROOT), file.read_text("utf-8")
-        if not IMPORTED.search(text):
-            continue
-        tree = ast.parse(text)
-        names = {
-            id(node.value): node.targets[0].id
-            for node in tree.body
-            if isinstance(node, ast.Assign)
-            if isinstance(node.targets[0], ast.Name)
-        }
-        for node in ast.walk(tree):
-            called = node.func if isinstance(node, ast.Call) else None
-            if isinstance(called, ast.Attribute) and getattr(called.value, "id", "") == "re" and called.attr in METHODS:
-                module = vars(importlib.import_module(".".join(name.with_suffix("").parts)))
-                call = ast.Call(ast.parse("re.compile", mode="eval").body, node.args, [])
-                if called.attr != "compile":
-                    call.args = node.args[:1]
-                    call.keywords = [each for each in node.keywords if each.arg == "flags"]
-                whole = ast.fix_missing_locations(ast.Expression(call))
-                known = names.get(id(node))
-                searched = called.attr in SEARCHES or (known is None and called.attr == "compile")
-                searched = searched or any(f"{known}.{each}(" in text for each in SEARCHES)
-                yield f"{name}:{node.lineno}", eval(compile(whole, str(name), "eval"), module), searched
+    text = (ROOT / file).read_text("utf-8")
+    tree = ast.parse(text)
+    names = {
+        id(node.value): node.targets[0].id
+        for node in tree.body
+        if isinstance(node, ast.Assign)
+        if isinstance(node.targets[0], ast.Name)
+    }
+    for node in ast.walk(tree):
+        called = node.func if isinstance(node, ast.Call) else None
+        if isinstance(called, ast.Attribute) and getattr(called.value, "id", "") == "re" and called.attr in METHODS:
+            module = vars(importlib.import_module(file.removesuffix(".py").replace("/", ".")))
+            call = ast.Call(ast.parse("re.compile", mode="eval").body, node.args, [])
+            if called.attr != "compile":
+                call.args = node.args[:1]
+                call.keywords = [each for each in node.keywords if each.arg == "flags"]
+            whole = ast.fix_missing_locations(ast.Expression(call))
+            known = names.get(id(node))
+            searched = called.attr in SEARCHES or (known is None and called.attr == "compile")
+            searched = searched or any(f"{known}.{each}(" in text for each in SEARCHES)
+            yield f"{file}:{node.lineno}", eval(compile(whole, file, "eval"), module), searched
+
+
+def with_patterns() -> list[str]:
+    """Files that may make some."""
+    files = sorted([*ROOT.glob("solvers/**/*.py"), *ROOT.glob("app/**/*.py")])
+    return [file.relative_to(ROOT).as_posix() for file in files if IMPORTED.search(file.read_text("utf-8"))]
 
 
 def of_javascript() -> list[tuple[str, str, str]]:

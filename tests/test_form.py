@@ -25,7 +25,7 @@ SOURCES = [
     path
     for folder, ends in (("solvers", ".py"), ("app", ".py .js .css"), ("bench", ".py"), ("tests", ".py .js"))
     for path in sorted((ROOT / folder).rglob("*"))
-    if path.suffix in ends.split()
+    if path.suffix in ends.split() and "packed" not in path.parts
 ]
 
 

@@ -11,7 +11,7 @@ from app.text.catalogues import script
 from solvers.text.catalogue import SOURCE
 
 from .patience import SECONDS
-from .patterns import ROOT, hostile, of_javascript, of_python
+from .patterns import ROOT, hostile, of_javascript, of_python, with_patterns
 
 LENGTHS = (30, 100, 300, 1_000, 3_000, 10_000)  # a cubic pattern is seen before, and never gets to 10 000
 MOST = 5.0  # [s] of computing; a search that begins anew at each letter takes 0.1 to 2 s
@@ -51,15 +51,16 @@ def slowest(match, texts, length, most):
     return [text for _, text in sorted(taken, reverse=True)[:SLOWEST]]
 
 
-PATTERNS = [
-    pytest.param(*each, id=where, marks=[pytest.mark.slow] * where.startswith("solvers/jit/cache.py"))
-    for where, *each in of_python()
-]
+SLOW = "solvers/jit/cache.py"
 
 
-@pytest.mark.parametrize("pattern, searched", PATTERNS)
-def test_no_pattern_of_the_library_or_the_server_takes_long(pattern, searched):
-    feed(pattern, searched, MOST)
+@pytest.mark.parametrize(
+    "file", [pytest.param(file, marks=[pytest.mark.slow] * (file == SLOW)) for file in with_patterns()]
+)
+def test_no_pattern_of_the_library_or_the_server_takes_long(file):
+    for where, pattern, searched in of_python(file):
+        print(where)
+        feed(pattern, searched, MOST)
 
 
 def feed(pattern, searched, most):

@@ -76,7 +76,11 @@ def _run(options: argparse.Namespace) -> int:
     sockets = _port(int(port), address)
     if int(port) in REFUSED_BY_BROWSERS:
         print(text("wanted.port-refused", port=port), file=sys.stderr, flush=True)
+    from ..page.packed import outdated
     from ..serving.server import serve
+
+    if outdated():
+        print(text("run.pack-out-of-date"), file=sys.stderr, flush=True)
 
     return serve(int(port), address, origins, proxies, sockets, frames)
 

@@ -25,13 +25,15 @@ def add_wasm_arguments(parser: argparse.ArgumentParser) -> None:
 def _export(options: argparse.Namespace) -> int:
     if options.laboratory and not re.fullmatch(r"https?://[^\s/?#]+(/[^\s?#]*)?", options.laboratory):
         raise SceneError("--laboratory", options.laboratory, text("wanted.laboratory"))
-    from ..serving.folder import OutOfDate, export
+    from ..serving.folder import NotPacked, OutOfDate, export
 
     folder = Path(options.folder)
     try:
         done = export(folder, options.laboratory, options.lessons)
     except OutOfDate:
         raise Refused(text("run.kernels-out-of-date")) from None
+    except NotPacked:
+        raise Refused(text("run.not-packed")) from None
     except OSError as error:
         raise SceneError("FOLDER", options.folder, text("wanted.own-folder", why=error.strerror)) from None
     size = done.bytes / 1000

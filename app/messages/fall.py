@@ -1,7 +1,7 @@
 """What the browser needs of a body that is dropped on what is held: its bounces, and its height over time."""
 
 import math
-from time import perf_counter
+from time import thread_time
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from .encoding import LARGEST_MASS, force_history
 
 FINE, INSTANTS = 20, (33, 9)  # flights that are drawn finely; instants of these, and of later ones
 CUT, MOST = 2e-4, 24  # of the first height; impacts that are solved
-BUDGET = 0.3  # seconds that they may take, after which the later ones are summed up
+BUDGET = 0.3  # seconds of the processor that they may take, after which the later ones are summed up
 CLOSER = 121  # instants of the force of an impact
 ALIKE = 1e-6  # restitutions of impacts after which all that follow give as much back
 
@@ -30,10 +30,10 @@ def fall_fields(request: Request, exact: Solution) -> tuple[dict[str, Any], dict
     _, gravity = height_and_gravity(dropped)
     options = dict(exact.method)
     method = METHODS[options.pop("name")].read(options).without_estimate()
-    latest = perf_counter() + BUDGET
+    latest = thread_time() + BUDGET
     forces: list[np.ndarray | None] = []
     found = bounces(
-        scene, method, CUT, MOST, gravity, lambda: perf_counter() > latest, lambda each: forces.append(closer(each))
+        scene, method, CUT, MOST, gravity, lambda: thread_time() > latest, lambda each: forces.append(closer(each))
     )
     time, height = flights(found)
     mass = min(scene.impactor.mass, LARGEST_MASS)

@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable
 from contextlib import contextmanager
 from functools import partial
-from pathlib import Path
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -34,13 +33,15 @@ from ..views.registry import opened_with
 from .address import ASKED, PANELS
 from .begin import begin
 from .drafts import Drafts
+from .packed import STATIC, pack
 from .panels import Panels
 from .questions import accepted
 from .reading import TAKEN, take
 
-STATIC = Path(__file__).parents[1] / "static"
-_SERVED = [file.read_bytes() for file in sorted(STATIC.rglob("*")) if file.is_file()] + [
-    script(language).encode() for language in LANGUAGES
+_SERVED = [
+    *(file.read_bytes() for file in sorted(STATIC.rglob("*")) if file.is_file()),
+    *(found.files.values() if (found := pack()) else ()),
+    *(script(language).encode() for language in LANGUAGES),
 ]
 HEIGHT = 860  # pixels, in a page of somebody else, unless another is given
 VERSION = hashlib.sha256(b"".join(_SERVED)).hexdigest()[:10]

@@ -24,25 +24,20 @@ from ..lessons.record import lesson_record
 from ..lessons.shipped import lesson_names, shipped_lesson
 from ..messages.encoding import arrays_of, read_header, whole_numbers
 from ..messages.solve import solve_frame
-from ..page.lab import STATIC, spec_of_choices
+from ..page import packed
+from ..page.lab import spec_of_choices
+from ..page.packed import STATIC
 from ..page.picker import gallery
 from ..page.picker import lessons as listed
 from ..text.asked import asked_in
 from ..text.catalogues import LANGUAGES, direction, page
 from ..wasm.covered import covered_of
 from ..wasm.module import MODULE, named_in, sources
-from .bundle import function, shorter
-from .pages import LATE, SHEETS, styles, text_of
+from .pages import LATE, SHEETS
 from .still import first_still
 
 HERE = Path(__file__).parent
-# of which those before the last come late where there is a server
-ENTRIES = ("gallery/gallery.js", "take/files.js", "offline/page.js")
-OF_LESSONS = ("lesson/lesson.js", "courses/courses.js")  # before these, and the sheets of both
 TEXTS_OF_LESSONS = ("lesson.", "class.")
-WITHOUT = ("mechanism", "space", "away")  # kinds of scene that no kernel here answers, and what minds the server
-ANALYSES = ("plan", "record", "stability", "tolerance", "tradeoff", "trust")  # which a server makes
-UNUSED = ("space/stage.css", *(f"panels/{each}.css" for each in ANALYSES))
 CYCLE = ("cycleDepth", "cycleLoading", "cycleUnloading", "blowForce", "touchTime", "touchPressure")
 REMADE = {  # by kind of message: histories that kernels make anew, or that only a server has of other choices
     "axial": ("f0Time", "f0", "motionTime", "exactMass", "exactEnd", "exactWhole", "exactTime", "exactForce", *CYCLE),
@@ -86,6 +81,10 @@ class OutOfDate(Exception):
     """The kernels that came with the package are of other sources."""
 
 
+class NotPacked(Exception):
+    """The scripts of the page are not, or those are of other sources."""
+
+
 class Exported(NamedTuple):
     scenes: int
     of: int  # scenes
@@ -97,26 +96,27 @@ def export(folder: Path, laboratory: str, lessons: bool = False) -> Exported:
     """Write it, in all languages; `laboratory`: the address of one with a server, which it then leads to, or nothing;
     `lessons`: with those that need no server.
 
-    Raises OutOfDate, and OSError for a folder that cannot be written.
+    Raises OutOfDate, NotPacked, and OSError for a folder that cannot be written.
     """
     kernels = MODULE.read_bytes()
     if named_in(kernels) != sources():
         raise OutOfDate
+    found = packed.pack()
+    if not found:
+        raise NotPacked
     names = covered_of(SCENES)
     taught = [name for name in lesson_names() if lessons and runs_alone(shipped_lesson(name))]
     of_lessons = sorted(each for each in LATE if each.startswith(("lesson/", "courses/")) and each.endswith(".css"))
     sheets = ["gallery/gallery.css", *(of_lessons if taught else ())]
-    scripts = function(STATIC, (*OF_LESSONS, *ENTRIES) if taught else ENTRIES, "strikewavePage", WITHOUT)
-    start = shorter((STATIC / "offline/start.js").read_text("utf-8"))
+    whole = "offline/lessons.js" if taught else "offline/scenes.js"
+    scripts = [(STATIC / name).read_text("utf-8") for name in (*found.modules[whole], "offline/start.js")]
     files = {
         "index.html": _document().encode(),
         "kernels.js": script("strikewaveKernels", kernels),
-        "scenes.js": _scenes(names, laboratory, taught, scripts + start),
-        "page.js": scripts.encode(),
-        "start.js": start.encode(),
-        "widget.js": shorter((STATIC / "offline/widget.js").read_text("utf-8")).encode(),
-        SHEETS: styles(UNUSED),
-        **{name: text_of(STATIC / name) for name in sheets},
+        "scenes.js": _scenes(names, laboratory, taught, "\n".join(scripts)),
+        "page.js": found.files[whole],
+        **{name: found.files[f"offline/{name}"] for name in ("start.js", "widget.js", SHEETS)},
+        **{name: found.files[name] for name in sheets},
     }
     for name, content in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -141,7 +141,7 @@ def _document() -> str:
         "LANGUAGE": SOURCE,
         "DIRECTION": direction(SOURCE),
         "SESSION": escape(json.dumps({"languages": session}, ensure_ascii=False), quote=False),
-        "STYLE": (STATIC / "frame/page.css").read_text("utf-8"),
+        "STYLE": packed.content("frame/page.css").decode(),
         "STILL": first_still(),
     }
     text = (HERE / "folder.html").read_text("utf-8")

@@ -4,7 +4,6 @@ import gzip
 import json
 import os
 import re
-from collections.abc import Container
 from functools import cache
 from hashlib import sha256
 from html import escape
@@ -13,17 +12,16 @@ from typing import Any
 
 from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 
-from solvers.text.catalogue import SOURCE
-
 from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
-from ..page.lab import STATIC, VERSION
+from ..page import packed
+from ..page.lab import VERSION
+from ..page.packed import STATIC, content
 from ..page.picker import gallery
 from ..text.catalogues import LANGUAGES, direction, page, script
 from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
-from .bundle import bundle
 from .door import FULL
 from .language import ASKED, language_of
 from .libraries import CORE, PANEL, extension
@@ -33,21 +31,7 @@ from .still import bare_frame, first_still
 
 # of the page, in this order: address, and the file there
 LIBRARIES = (("libraries/bokeh.min.js", CORE), ("libraries/panel.min.js", PANEL))
-ENTRY = "page.js"  # stands for all modules but those of these, which are fetched when they are wanted
-APART = {  # and what has been fetched before, beside all those
-    "gallery/gallery.js": (),
-    "courses/courses.js": (),
-    "lesson/lesson.js": (),
-    "classes/classes.js": ("lesson/lesson.js",),
-    "sharing/class_link.js": (),
-    "take/files.js": (),
-    "wasm/answers.js": (),
-}
-SHEETS = "sheets.css"  # likewise, for the sheets that it names
-IMPORT = re.compile(r"@import '\./([^']+)';\n")
-SPARE = re.compile(  # of styles: comments, and room between rules and in declarations
-    r"^\s+|/\*[\s\S]*?\*/\n?|(?<=[;{},])\n|(?<=\w:) | (?=\{)", re.MULTILINE
-)
+SHEETS = "sheets.css"
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 SCRIPTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 TEXTS = {language: (text, gzip.compress(text, 6, mtime=0)) for language, text in SCRIPTS.items()}
@@ -56,8 +40,15 @@ FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the addres
 PACKED = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".wasm": "application/wasm"}
 OF_THE_DOCUMENT = {"frame/page.css", "browser/modules.js", "browser/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"frame/embedded.css"}  # which a laboratory there loads beside
+ROOMS = ("gallery", "courses", "lesson", "classes", "sharing", "take", "wasm")  # of what is fetched when it is wanted
 LATE = {
-    *APART,
+    "gallery/gallery.js",
+    "courses/courses.js",
+    "lesson/lesson.js",
+    "classes/classes.js",
+    "sharing/class_link.js",
+    "take/files.js",
+    "wasm/answers.js",
     "gallery/gallery.css",
     "courses/courses.css",
     "classes/classes.css",
@@ -67,7 +58,12 @@ LATE = {
     "lesson/questions.css",
     "wasm/kernels.wasm",
 }
-FILES = {ENTRY, SHEETS, "example-record.csv", *OF_THE_DOCUMENT, *OF_ANOTHER_PAGE, *LATE}
+PLAIN = {  # modules and sheets that a page fetches that is not packed
+    file.relative_to(STATIC).as_posix()
+    for file in (() if packed.pack() else STATIC.rglob("*"))
+    if file.suffix in (".js", ".css") and not file.is_relative_to(STATIC / "offline")
+}
+FILES = {"page.js", SHEETS, "example-record.csv", *OF_THE_DOCUMENT, *OF_ANOTHER_PAGE, *LATE, *PLAIN}
 POLICY = (
     "default-src 'none'; script-src 'self' blob: 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data: blob:; connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; "
@@ -91,7 +87,7 @@ def shell(first: bool, language: str) -> str:
         (kind, name)
         for kind, ending in (('preload" as="style', ".css"), ("modulepreload", ".js"))
         for name in sorted(FILES - OF_THE_DOCUMENT - OF_ANOTHER_PAGE - LATE)
-        if name.endswith(ending)
+        if name.endswith(ending) and not name.startswith(tuple(f"{room}/" for room in ROOMS))
     ]
     preloads = [f'<link rel="{kind}" href="assets/{VERSION}/{name}">' for kind, name in links]
     versions = [sha256(text_of(file)).hexdigest()[:16] for _, file in LIBRARIES]
@@ -104,7 +100,7 @@ def shell(first: bool, language: str) -> str:
         text = text.replace(mark, escape(page(language).texts[code]))
     text = text.replace("VERSION", VERSION).replace("LANGUAGE", language).replace("DIRECTION", direction(language))
     text = text.replace("PRELOADS", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
-    return text.replace("STYLE", (STATIC / "frame/page.css").read_text("utf-8")).replace(
+    return text.replace("STYLE", content("frame/page.css").decode()).replace(
         "STILL", first_still(page(language)) if first else bare_frame()
     )
 
@@ -138,28 +134,11 @@ class Page(RequestHandler):
 
 
 @cache
-def styles(without: Container[str] = ()) -> bytes:
-    """The sheets of the component in one, as it is sent; without these."""
-
-    def sheet(found: re.Match[str]) -> str:
-        return "" if found[1] in without else (STATIC / found[1]).read_text("utf-8")
-
-    return SPARE.sub("", IMPORT.sub(sheet, (STATIC / SHEETS).read_text("utf-8"))).encode()
-
-
-@cache
 def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
-    if file == STATIC / ENTRY:
-        return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode()
-    if file == STATIC / SHEETS:
-        return styles()
     if file == PANEL:
         return extension().encode()
-    if file.suffix == ".css":
-        return SPARE.sub("", file.read_text("utf-8")).encode()
-    name = file.relative_to(STATIC).as_posix() if file.is_relative_to(STATIC) else ""
-    return bundle(STATIC, name, beside=(ENTRY, *APART[name])).encode() if name in APART else file.read_bytes()
+    return content(file.relative_to(STATIC).as_posix()) if file.is_relative_to(STATIC) else file.read_bytes()
 
 
 @cache

@@ -27,6 +27,7 @@ import { refusalIn } from './wire/model.js';
 import { decode } from './wire/message.js';
 import { Opening } from './opening/opening.js';
 import { OwnAnswers } from './wire/own_answers.js';
+import { placeOf } from './place.js';
 import { Player } from './clock/player.js';
 import { copyLink } from './frame/share.js';
 import { Striker } from './frame/striker.js';
@@ -94,8 +95,7 @@ export class Page {
     this.opening = new Opening(this);
     this.draft = make('span', { className: 'tag draft', textContent: text('page.draft'), hidden: true });
     this.toast = new Toast();
-    const sheet = (/** @type {string} */ name) =>
-      make('link', { rel: 'stylesheet', href: new URL(name, import.meta.url).href });
+    const sheet = (/** @type {string} */ name) => make('link', { rel: 'stylesheet', href: placeOf(name) });
     this.layout = this.arrange();
     this.root = this.layout.root;
     this.analyses.settle(this.layout);
@@ -217,6 +217,7 @@ export class Page {
    */
   send(name, value) {
     this.player.rest();
+    this.history.choose(name, value);
     this.changes.set(name, value, () => this.own.take());
   }
   /**

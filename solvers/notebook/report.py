@@ -59,7 +59,7 @@ def report(solution: Any) -> str:
         "",
         "  " + "   ".join(residuals),
         "  " + text("solve.steps", steps=found["steps"], time=_time_line(found)),
-        *(_note(note) for note in solution.notes),
+        *(_note(note) for note in [*solution.notes, *solution.peaks.remarks]),
     ]
     return "\n".join(lines)
 

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..text.notes import Note, Severity
 from .motion import Bends, ResolvesForce, SendsWaves, knows_field
 
 PLACES = 90  # intervals along the bodies at which fields are looked at first
@@ -135,6 +136,20 @@ PEAKS = {
     "moment": Asked("N m", _moment),
     "support_force": Asked("N", _support_force),
 }
+
+
+class Peaks(dict[str, Peak]):
+    """Those that a solution has, by name; `remarks`: what is to be known of them, that its notes do not say."""
+
+    remarks: list[Note]
+
+
+def peaks_of(solution: Any) -> Peaks:
+    """All of them."""
+    found = Peaks((name, peak) for name, asked in PEAKS.items() if (peak := asked.find(solution)) is not None)
+    by_method = "stress" in found and _stressed_along(solution) and not _sends_waves(solution)
+    found.remarks = [Note("peaks-by-method", Severity.REMARK)] if by_method else []
+    return found
 
 
 def _bends(solution: Any) -> bool:

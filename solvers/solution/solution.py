@@ -14,7 +14,7 @@ from ..text.notes import Note, coded
 from ..validation import SceneError, allowed, plain
 from . import closures
 from .motion import BoundedMotion, ChangesModes, Joined, Motion, ShowsModes
-from .peaks import PEAKS, Peak
+from .peaks import Peaks, peaks_of
 from .target_modes import TargetModes
 
 if TYPE_CHECKING:
@@ -196,11 +196,11 @@ class Solution:
         return float(np.dot(self.impulse, self.scene.normal)) if isinstance(self.impulse, tuple) else self.impulse
 
     @cached_property
-    def peaks(self) -> dict[str, Peak]:
+    def peaks(self) -> Peaks:
         """The largest values by size, those that exist: `acceleration` of a rigid impactor, `displacement` of the face
         of what is held, `deflection` of a held beam, `stress`, `tension` along rods, bending `moment`, `support_force`.
         Error: 1e-3 of it, besides that of the method; see *How exact*. Cost: 5 to 50 ms."""
-        return {name: found for name, asked in PEAKS.items() if (found := asked.find(self)) is not None}
+        return peaks_of(self)
 
     @property
     def mode_change(self) -> dict[str, dict[str, list[float]]] | None:
@@ -379,7 +379,7 @@ class Solution:
                 **rubbed,
                 "diagnostics": self.diagnostics,
                 "duration": self.duration,
-                **coded(self.notes),
+                **coded([*self.notes, *self.peaks.remarks]),
             }
         )
 

@@ -8,7 +8,7 @@ from app.serving.pages import STATIC
 ROOMS = [  # from the top
     *("offline", "page.js", "kinds.js", "gallery", "courses", "classes", "lesson", "panels", "sharing", "take", "wasm"),
     *("fall", "mechanism", "beam", "axial", "space", "opening", "compare", "away"),
-    *("frame", "charts", "form", "clock", "wire", "browser", "text"),
+    *("frame", "charts", "form", "clock", "wire", "browser", "text", "place.js"),
 ]
 IMPORT = re.compile(r"^(?:import|export|\} from)\b[^;\n]*?'(\.{1,2}/[^']+)';$", re.MULTILINE)
 

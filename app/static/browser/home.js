@@ -1,5 +1,6 @@
 // Where the laboratory is at home: it is the page that its server sends, or a component of another page, which keeps
 // address, history and keys for itself.
+import { placeOf } from '../place.js';
 
 /** @import { Listed } from '../gallery/gallery.js' */
 /** @import { Spec } from '../wire/model.js' */
@@ -26,7 +27,7 @@ export const framed = alone && new URLSearchParams(globalThis.location.search).h
  * The address of something else that is served with this script.
  * @param {string} name
  */
-export const served = (name) => new URL(`../../../${name}`, import.meta.url);
+export const served = (name) => new URL(placeOf(`../../${name}`));
 
 /**
  * @template Entry

@@ -1,12 +1,12 @@
-// Modules and style sheets that are fetched when they are wanted; where there is no server they came with the page.
+// Modules and style sheets that are fetched when they are wanted; modules of a packed page may have come with it.
+import { placeOf } from '../place.js';
 import { make } from './dom.js';
 
 /**
  * @param {string} name  from the folder of all modules
  * @returns {Promise<any>}
  */
-export const late = async (name) =>
-  /** @type {any} */ (globalThis).strikewaveModules?.[name] ?? import(new URL(`../${name}`, import.meta.url).href);
+export const late = async (name) => /** @type {any} */ (globalThis).strikewaveModules?.[name] ?? import(placeOf(name));
 
 /**
  * Have a style sheet of the folder of all modules before an element.
@@ -15,6 +15,5 @@ export const late = async (name) =>
  */
 export const lateSheet = (name, root) =>
   new Promise((onload) => {
-    const href = new URL(`../${name}`, import.meta.url).href;
-    root.before(make('link', { rel: 'stylesheet', href, onload, onerror: onload }));
+    root.before(make('link', { rel: 'stylesheet', href: placeOf(name), onload, onerror: onload }));
   });

@@ -1,6 +1,6 @@
-// Undo and redo: every change of the choices is an entry of the browser's history, a drag is one, and so is whatever is
-// kept or kept no more, and a turn from the picture to the dock or the laboratory. Back undoes, and does not leave the
-// page before all is undone.
+// Undo and redo: every change of the choices is an entry of the browser's history, a drag is one however slow the hand
+// and the answers are, and so is whatever is kept or kept no more, and a turn from the picture to the dock or the
+// laboratory. Back undoes, and does not leave the page before all is undone.
 import { make } from '../browser/dom.js';
 import { choicesText, ownAddress } from './address.js';
 import { alone, framed, Steps } from '../browser/home.js';
@@ -12,8 +12,9 @@ import { keep, kept } from '../browser/store.js';
 /** @import { Wanted } from './kept.js' */
 /** @import { Chosen } from '../messages.js' */
 
-const PAUSE = 700; // ms without a change, after which the next is a step of its own
 const REST = 250; // ms after which the address follows what is seen
+const HELD = /** @type {const} */ (['pointerdown', 'pointerup', 'pointercancel']);
+const LAST = 100; // ms after a press, in which a control says its last value
 const TOP = 'history'; // under which the last entry is kept while the page reloads
 
 /**
@@ -27,10 +28,21 @@ const TOP = 'history'; // under which the last entry is kept while the page relo
  * @property {number} [step]  of a lesson
  */
 /** @typedef {State & { strikewave: number }} Entry  and its number */
+/**
+ * @typedef {object} Choice
+ * @property {number} at  when it was made [ms]
+ * @property {number} press  of a pointer in which it was, from 1; 0: none
+ * @property {string} [name]
+ * @property {number | string} [value]
+ * @property {boolean} shown  it was answered: what changes then is not by hand
+ */
 
 export class History {
   top = 0; // number of the last entry
-  changed = -Infinity; // when the choices have changed last
+  pause = 700; // ms between choices, after which the next is a step of its own
+  hand = new Hand();
+  /** @type {Choice} */ chosen = { at: -Infinity, press: 0, shown: true }; // the last by hand
+  /** @type {Choice} */ changed = this.chosen; // that of the entry
   /** @type {Chosen | null} */ followed = null; // that were shown last
   moving = ''; // names of the choices that changed last
   /** @type {[state: State, address: string] | null} */ held = null; // what is still to be written
@@ -71,7 +83,25 @@ export class History {
   }
   leave() {
     window.removeEventListener('popstate', this.popped);
+    this.hand.leave();
     clearTimeout(this.resting);
+  }
+  /**
+   * Something is chosen by hand, and will be answered.
+   * @param {string} name
+   * @param {number | string} value
+   */
+  choose(name, value) {
+    this.chosen = { at: performance.now(), press: this.hand.press, name, value, shown: false };
+  }
+  /** What has led to what is shown. */
+  get #choice() {
+    return this.chosen.shown ? { at: performance.now(), press: 0, shown: true } : this.chosen;
+  }
+  /** Whether that goes on with the step of the entry: by the same press, or soon after. */
+  get #goesOn() {
+    const { at, press } = this.#choice;
+    return (press > 0 && press === this.changed.press) || at - this.changed.at < this.pause;
   }
   /** @returns {Entry | null} */
   get entry() {
@@ -100,19 +130,23 @@ export class History {
     const { chosen } = this.page.frame;
     const moved = namesOf(this.followed, chosen);
     const others = Boolean(moved && this.followed && moved !== this.moving);
-    const now = performance.now();
-    const goesOn =
-      moved && !others && now - this.changed < PAUSE && this.entry && this.entry.chosen.scene === chosen.scene;
+    const goesOn = moved && !others && this.#goesOn && this.entry && this.entry.chosen.scene === chosen.scene;
     this.followed = chosen;
     this.moving = moved || this.moving;
     if (!goesOn) {
       if (others && this.held) this.#replace(...this.held);
+      this.held = null;
       this.write(others);
       return;
     }
-    this.changed = now;
+    this.#change();
     this.held = this.#now();
     this.later();
+  }
+  #change() {
+    const { chosen, page } = this;
+    this.changed = this.#choice;
+    if (chosen.name) chosen.shown ||= Object.is(page.frame.chosen[chosen.name], chosen.value);
   }
   /** @returns {[state: State, address: string]}  of what is shown */
   #now() {
@@ -129,19 +163,19 @@ export class History {
   write(another = false) {
     clearTimeout(this.resting);
     this.resting = undefined;
+    const known = this.held !== null; // as what goes on with the step
     this.held = null;
     const { page, entry } = this;
     const { lesson, on } = page.opening.teaching;
     if (!page.frame || page.changes.quiet || (on && !lesson)) return; // a lesson that comes has an address of its own
     if (lesson?.paper) return; // nobody goes there
-    const now = performance.now();
     const [state, address] = this.#now();
     const moved = entry && state.choices !== entry.choices;
     const turned = (entry?.plan ?? state.plan) !== state.plan || (entry && entry.step !== state.step);
     const keeps = entry && JSON.stringify(state.kept) !== JSON.stringify(entry.kept ?? []);
     const others = turned || keeps || (entry && entry.chosen.scene !== state.chosen.scene) || (moved && another);
-    const soon = !others && now - this.changed < PAUSE;
-    if (moved) this.changed = now;
+    const soon = !others && (known || this.#goesOn);
+    if (moved && !known) this.#change();
     const stays = state.step !== undefined && entry?.step === state.step; // a lesson has a step for each of its own
     if (!entry || this.going || !(moved || others) || soon || stays) this.#replace(state, address);
     else {
@@ -212,6 +246,28 @@ export class History {
     else if ((name === 'z' && shiftKey) || name === 'y') this.redo();
     else return false;
     return true;
+  }
+}
+
+/** That of the user: which press of a pointer a choice belongs to. */
+class Hand {
+  #count = 0;
+  #until = 0; // when it ends
+
+  constructor() {
+    this.moved = (/** @type {PointerEvent} */ { type }) => {
+      const down = type === 'pointerdown';
+      if (down) this.#count += 1;
+      this.#until = down ? Infinity : performance.now() + LAST;
+    };
+    for (const type of HELD) window.addEventListener(type, this.moved, true);
+  }
+  leave() {
+    for (const type of HELD) window.removeEventListener(type, this.moved, true);
+  }
+  /** Its number, or 0 where none is held. */
+  get press() {
+    return performance.now() < this.#until ? this.#count : 0;
   }
 }
 

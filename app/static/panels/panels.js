@@ -1,5 +1,7 @@
 // All panels that answer questions beside the solution, and the buttons that open them.
 import { make } from '../browser/dom.js';
+import { late } from '../browser/late.js';
+import { LISTED } from '../text/came.js';
 import { text } from '../text/catalogue.js';
 import { framed } from './frame.js';
 
@@ -24,13 +26,11 @@ import { framed } from './frame.js';
  * @typedef {(new (page: Page) => View) & { beside?: boolean }} Kind  `beside`: has room in the dock; the charts stay
  */
 
+const MODULES = await Promise.all(LISTED.map(([, module]) => late(`panels/${module}.js`)));
 /**
- * As app/views/registry.py lists them, with the kinds of scene that they are for; the page has fetched them already.
- * @type {[name: string, module: string, kinds: string[]][]}
+ * As app/views/registry.py lists them, with the kinds of scene that they are for.
+ * @type {[name: string, kind: Kind, kinds: string[]][]}
  */
-const LISTED = /** @type {any} */ (globalThis).strikewavePanels;
-const MODULES = await Promise.all(LISTED.map(([, module]) => import(`./${module}.js`)));
-/** @type {[name: string, kind: Kind, kinds: string[]][]} */
 const KINDS = LISTED.map(([name, , kinds], place) => [name, MODULES[place].PANELS[name], kinds]);
 
 /**

@@ -4,6 +4,7 @@ import { Figure } from '../charts/figure.js';
 import { between } from '../charts/scale.js';
 import { make } from '../browser/dom.js';
 import { served } from '../browser/home.js';
+import { placeOf } from '../place.js';
 import { commaOf, numberInput } from '../form/number_field.js';
 import { said, text } from '../text/catalogue.js';
 import { duration, figures, localised, signed } from '../text/format.js';
@@ -171,7 +172,7 @@ class Measurement {
     if (asks) this.ask();
   }
   async example() {
-    const record = await (await fetch(new URL('../example-record.csv', import.meta.url))).blob();
+    const record = await (await fetch(placeOf('example-record.csv'))).blob();
     this.kind.value = EXAMPLE.kind;
     this.at.value = EXAMPLE.at;
     this.sign.checked = false;

@@ -1,5 +1,6 @@
 // Sentences by code, from the catalogue that the server makes of solvers/text and app/text; their syntax is that of
 // solvers/text/messages.py.
+import { CATALOGUE } from './came.js';
 import { engineering, localised, powered, raised, share, unbroken } from './format.js';
 import { withSigns } from './typeset.js';
 
@@ -9,8 +10,6 @@ import { withSigns } from './typeset.js';
 /** @typedef {string | { term: string } | { name: string, format: string } | Choice} Piece */
 /** @typedef {{ name: string, by: string, options: Record<string, Piece[]> }} Choice */
 
-/** @type {{ language: string, others?: Record<string, string>, texts: Record<string, string> }} */
-const CATALOGUE = /** @type {any} */ (globalThis).strikewaveTexts;
 const { texts } = CATALOGUE;
 /** Of all that is said here. */
 export const language = CATALOGUE.language;

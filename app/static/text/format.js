@@ -1,7 +1,7 @@
 // Numbers as the page writes them: a true minus sign, as many digits as are meant, units of a handy size.
+import { CATALOGUE } from './came.js';
 
-/** @type {{ language: string }} */
-const { language } = /** @type {any} */ (globalThis).strikewaveTexts;
+const { language } = CATALOGUE;
 export const DECIMAL =
   new Intl.NumberFormat(language).formatToParts(0.5).find(({ type }) => type === 'decimal')?.value ?? '.';
 

@@ -1,5 +1,6 @@
 // The browser's own answers, by the library's kernels: exact at every picture while a slider moves. Fetched once the
 // page stands; where it cannot be, the server answers alone.
+import { placeOf } from '../place.js';
 import { kernelsOf } from './kernels.js';
 import * as beams from './bending.js';
 import * as chains from './chain.js';
@@ -84,7 +85,7 @@ export const answersOf = async (bytes, longest = Infinity) => new Answers(await 
 
 /** @returns {Promise<Answers>} */
 export async function ownAnswers() {
-  const fetched = await fetch(new URL('kernels.wasm', import.meta.url));
+  const fetched = await fetch(placeOf('wasm/kernels.wasm'));
   if (!fetched.ok) throw new Error(`no module: ${fetched.status}`);
   return answersOf(await fetched.arrayBuffer(), LONGEST);
 }

@@ -116,3 +116,12 @@ def test_a_port_that_browsers_refuse_is_warned_of(monkeypatch, capsys):
         assert main(["serve", "--port", port]) == 0
         assert (f"Browsers refuse port {port}" in capsys.readouterr().err) == warned
     assert served == [5060, 5061, 6000, 5062]
+
+
+@pytest.mark.parametrize("outdated", [True, False])
+def test_a_page_packed_of_other_sources_is_warned_of(monkeypatch, capsys, outdated):
+    monkeypatch.setattr("app.page.packed.outdated", lambda: outdated)
+    monkeypatch.setattr("app.serving.server.serve", lambda *_: 0)
+    monkeypatch.setattr("app.command.serve._port", lambda port, address: [])
+    assert main(["serve", "--port", "5062"]) == 0
+    assert ("make package" in capsys.readouterr().err) == outdated

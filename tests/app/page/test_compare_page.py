@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from playwright.sync_api import TimeoutError as TooLate
 from playwright.sync_api import expect
 
 import solvers
@@ -20,9 +21,16 @@ WIDE, PHONE = (1440, 900), (390, 844)
 
 
 def ask(page, question: str) -> None:
-    """Two clicks: a ready-made comparison, answered."""
-    page.tab.get_by_role("button", name="Compare", exact=True).click()
-    page.tab.get_by_role("button", name=question).click()
+    """Two clicks: a ready-made comparison, answered. The list closes where a page that is laid out anew takes the focus,
+    as may happen on a busy machine: then it is opened again."""
+    for patience in (5_000, 5_000, 30_000):
+        page.tab.get_by_role("button", name="Compare", exact=True).click()
+        try:
+            page.tab.get_by_role("button", name=question).click(timeout=patience)
+            break
+        except TooLate:
+            if patience > 5_000:
+                raise
     page.wait("() => strikewave.page.compare.runs.length && !strikewave.page.changes.goal && !strikewave.page.asked")
 
 

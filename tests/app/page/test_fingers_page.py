@@ -24,5 +24,6 @@ MISSED = """() => {
 def test_a_button_takes_a_finger_above_it_or_below(open_page, query):
     """Half of 44 px away from its middle, on one side at least: on the other there may be another button."""
     page = open_page(query, plain=True, own=True, **PHONE)
+    page.wait("() => strikewave.page.root.style.visibility === ''")  # a lesson is there
     assert page.evaluate("() => strikewave.page.root.getRootNode().querySelectorAll('.topbar button').length") > 4
     assert page.evaluate(MISSED) == []

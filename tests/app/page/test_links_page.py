@@ -19,15 +19,15 @@ OLD = (  # of an earlier version: every choice, whether it acts or not
 
 
 def at_rest(page) -> None:
-    """Wait until the address follows, and set the time of the last change so that the next is a step of its own."""
+    """Wait until the address follows; the next change is a step of its own, however soon it comes."""
     settled(page)
     page.wait("() => !strikewave.page.history.resting")
-    page.evaluate("() => { strikewave.page.history.changed = -Infinity; }")
+    page.evaluate("() => { strikewave.page.history.pause = 0; }")
 
 
 def goes_on(page) -> None:
     """The next change belongs to the same step as the last, however long a busy machine takes between them."""
-    page.evaluate("() => { strikewave.page.history.changed = Infinity; }")
+    page.evaluate("() => { strikewave.page.history.pause = 1e6; }")
 
 
 def step(page, **settings) -> None:
@@ -127,14 +127,13 @@ def test_the_address_is_written_once_a_drag_and_says_where_it_ended(open_page):
     written, pauses = page.evaluate(
         """async () => {
           const found = [], { page } = strikewave;
+          page.history.pause = 1e6; // it is one drag, however long an answer or what follows it takes
           let pauses = 0; // in which the address may follow, on a machine that is busy
           for (const how of ['pushState', 'replaceState']) {
             const own = window.history[how].bind(window.history);
             window.history[how] = (...given) => {
               found.push(how);
               own(...given);
-              // from the first step on it is the same drag, however long an answer or what follows it takes
-              Object.defineProperty(page.history, 'changed', { get: () => Infinity, set() {} });
             };
           }
           for (let k = 1; k <= 12; k++) {

@@ -1,6 +1,7 @@
 """What the browser answers by itself while a slider moves, by the library's own kernels; the server follows at rest."""
 
 import pytest
+from playwright.sync_api import expect
 
 from .moved import AT_REST, CHOOSE, READY, STATE, arrays_alike, by_itself, figures_alike, flat, moved
 
@@ -306,12 +307,31 @@ def test_undo_twice_at_once_goes_back_by_two(open_page):
 def test_two_controls_moved_at_once_are_two_steps(open_page):
     page = open_page(BARS.format(""))
     page.tab.wait_for_timeout(800)
+    page.evaluate("() => { strikewave.page.history.pause = 1e6; }")  # however slow the answers are
     for choice in (["speed", 1.5], ["speed", 2.0], ["mass_ratio", 2.0]):
         page.answered(lambda choice=choice: page.evaluate(CHOOSE, choice))
     page.evaluate("() => strikewave.page.history.undo()")
     page.wait(ARRIVED, BARS.format("&speed=2"))
     page.evaluate("() => strikewave.page.history.undo()")
     page.wait(ARRIVED, BARS.format(""))
+
+
+def test_a_drag_is_one_step_however_long_it_rests(open_page):
+    page = open_page(BARS.format(""))
+    before = page.evaluate("() => location.search")
+    page.tab.wait_for_timeout(800)
+    mouse, box = page.tab.mouse, page.tab.get_by_role("slider", name="Mass ratio").bounding_box()
+    y = box["y"] + box["height"] / 2
+    mouse.move(box["x"] + 0.5 * box["width"], y)
+    mouse.down()
+    for share in (0.6, 0.8, 0.7):
+        page.answered(lambda share=share: mouse.move(box["x"] + share * box["width"], y))
+        page.tab.wait_for_timeout(1200)
+    mouse.up()
+    page.wait("(before) => location.search !== before && !strikewave.page.asked", before)
+    page.evaluate("() => strikewave.page.history.undo()")
+    page.wait(ARRIVED, before)
+    expect(page.tab.get_by_role("button", name="Undo")).to_be_disabled()
 
 
 def test_histories_are_saved_once_the_server_has_solved_them(open_page):

@@ -9,7 +9,7 @@ from app.lessons.shipped import lesson_names, shipped_lesson
 
 from .conftest import SECONDS, choose
 
-MOST = 1_200_000  # bytes of all files
+MOST = 930_000  # bytes of all files
 LESSON = "bounce-twice"
 AT = "(step) => { const { lesson } = strikewave.page.opening.teaching; return lesson?.at === step && !lesson.coming; }"
 READY = "() => window.strikewave && !strikewave.page.opening.teaching.lesson?.coming && !strikewave.page.asked"
@@ -27,6 +27,7 @@ def said(tab) -> str:
     return tab.locator(".toast").inner_text().replace("\u00a0", " ")
 
 
+@pytest.mark.browser  # needs Node, which packs the page
 @pytest.mark.slow
 def test_it_is_small_and_says_how_many_it_has(folder, capsys):
     assert sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) <= MOST

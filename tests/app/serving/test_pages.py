@@ -1,9 +1,9 @@
-"""Files of the page: its modules as one; packed for who can read that, plain for others, and the same for both."""
+"""Files of the page: its modules in a few, or plain; sent packed to who can read that, and the same to all."""
 
 import gzip
 import json
 import re
-import subprocess
+import signal
 import urllib.error
 import urllib.request
 from pathlib import Path
@@ -12,19 +12,24 @@ import pytest
 
 from app.choices.choices import SCENES
 from app.messages.gallery.cards import TAUGHT
+from app.page import packed
 from app.serving import pages
-from app.serving.bundle import bundle, function
 from app.serving.libraries import CORE, extension
-from app.serving.pages import APART, FIGURES, LIBRARIES, SCRIPTS, STATIC, VERSION, shell, text_of
+from app.serving.pages import FIGURES, LIBRARIES, SCRIPTS, STATIC, VERSION, shell, text_of
 from solvers.text.catalogue import SOURCE
 
 from ...patience import SECONDS
 from ..conftest import Page
+from ..servers import Server
 from ..socket_client import SocketClient, run
 
 FILES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "sheets.css")} | dict(LIBRARIES)
 ADDRESSES = {address: text_of(file) for address, file in FILES.items()}
 ADDRESSES |= {f"assets/{VERSION}/text/{language}.js": text for language, text in SCRIPTS.items()}
+
+
+class PlainServer(Server):
+    MODULE = "tests.app.serving.plain"
 
 
 def fetched(server: str, address: str, *coding: str):
@@ -46,17 +51,17 @@ def test_a_file_is_the_same_packed_or_not(server, address):
 
 
 def test_what_is_sent_is_put_together_once(monkeypatch):
-    """To bundle the modules at every request took 150 ms of the event loop, for which a class waited 8 s."""
+    """To put modules together at every request took 150 ms of the event loop, for which a class waited 8 s."""
     pages.pack()
 
     def again(*_, **__):
         raise AssertionError("put together once more")
 
-    for name in ("bundle", "styles", "extension"):
+    for name in ("extension", "content"):
         monkeypatch.setattr(pages, name, again)
     monkeypatch.setattr(Path, "read_bytes", again)
     for file in (*(STATIC / name for name in pages.FILES if Path(name).suffix in pages.PACKED), *FILES.values()):
-        assert len(pages._packed(file)) < len(text_of(file))
+        assert gzip.decompress(pages._packed(file)) == text_of(file)
 
 
 def test_of_what_extends_bokeh_the_page_loads_the_models_that_it_has():
@@ -74,60 +79,80 @@ def test_of_what_extends_bokeh_the_page_loads_the_models_that_it_has():
 
 def test_no_style_looks_at_what_an_element_contains():
     """`:has` makes a browser look at all of the page anew after every change in it: 33 ms of each answer were that."""
-    sheets = text_of(STATIC / "sheets.css").decode()
-    assert ":has(" not in sheets and "@import" not in sheets and sheets.count("{") > 500
-
-
-def test_all_modules_are_one_but_for_those_that_are_fetched_late():
-    whole = bundle(STATIC, "page.js")
-    beside = {entry: bundle(STATIC, entry, beside=("page.js", *before)) for entry, before in APART.items()}
-    named = {path.relative_to(STATIC).as_posix(): path.read_text("utf-8") for path in STATIC.rglob("*.js")}
-    known = {"browser/modules.js", "browser/start.js"}  # which the document loads
-    known |= {name for name in named if name.startswith("offline/")}  # of a page without a server
-    names = {name for name, text in named.items() if "export {};" not in text}  # the others are types alone
-    late = {entry: {name for name in names if name.split("/")[0] == entry.split("/")[0]} for entry in APART}
-    assert {name for name in names if f"modules['{name}'] = " in whole} == names.difference(known, *late.values())
-    for entry, own in late.items():
-        assert {name for name in names if f"modules['{name}'] = " in beside[entry]} == own
-    assert re.findall(r"^\s*(?://|/\*\*\n).*", whole, re.MULTILINE) == []
+    named = re.findall(r"^@import '(.+)';$", (STATIC / "sheets.css").read_text("utf-8"), re.MULTILINE)
+    sheets = "".join((STATIC / name).read_text("utf-8") for name in named)
+    assert ":has(" not in sheets and sheets.count("{") > 500
 
 
 @pytest.mark.browser  # needs Node
-def test_a_module_is_given_what_it_imports(tmp_path):
-    (tmp_path / "b").mkdir()
-    (tmp_path / "b/one.js").write_text("export const one = 1;\nexport const two = 2;\n")
-    (tmp_path / "b/all.js").write_text("export const three = (await import(`./${'one'}.js`)).two + 1;\n")
-    (tmp_path / "a.js").write_text(
-        "import * as all from './b/all.js';\nimport {\n  one as first,\n  two,\n} from './b/one.js';\n"
-        "/** @import { X } from './x.js' */\nexport function sum() {\n  return first + two + all.three;\n}\n"
-    )
-    (tmp_path / "try.mjs").write_text(bundle(tmp_path, "a.js") + "console.log(sum());\n")
-    done = subprocess.run(["node", tmp_path / "try.mjs"], capture_output=True, text=True, timeout=SECONDS)
-    assert done.stdout == "6\n", done.stderr
+def test_the_page_is_packed_of_these_sources():
+    """`make test` packs it."""
+    found = packed.pack()
+    assert found, "make package"
+    whole = found.files["page.js"]
+    assert len(whole) < 460_000 and len(gzip.compress(whole, 6, mtime=0)) <= 165_000
+    assert text_of(STATIC / "page.js") == whole
+    late = {name for name in pages.LATE if name.endswith(".js")}
+    assert {name for name in found.files if name.endswith(".js") and not name.startswith("offline/")} == {
+        *("page.js", "browser/modules.js", "browser/start.js"),
+        *late,
+    }
+    named = {path.relative_to(STATIC).as_posix(): path.read_text("utf-8") for path in STATIC.rglob("*.js")}
+    apart = {"browser/modules.js", "browser/start.js"}  # which the document loads
+    apart |= {name for name in named if name.startswith("offline/")}  # of a page without a server
+    names = {name for name, text in named.items() if "export {};" not in text}  # the others are types alone
+    rooms = {entry: {name for name in names if name.split("/")[0] == entry.split("/")[0]} for entry in late}
+    assert names & {*found.modules["page.js"]} == names.difference(apart, *rooms.values())
+    for entry, own in rooms.items():  # what is there before is not there once more
+        assert names & {*found.modules[entry]} == own
 
 
-def test_ends_of_lines_are_left_out_but_of_a_literal_that_spans_some(tmp_path):
-    (tmp_path / "a.js").write_text("const a = 'b // c'; // d\n  const e = `http://f`; // it's\n")
-    assert "const a = 'b // c';\nconst e = `http://f`; // it's\n" in bundle(tmp_path, "a.js")
-    (tmp_path / "a.js").write_text("const a = `b // c\n  d`;\n")
-    assert "const a = `b // c\n  d`;\n" in bundle(tmp_path, "a.js")
+@pytest.mark.parametrize("given", ["none", "of others"])
+def test_a_pack_of_other_sources_is_not_sent(monkeypatch, tmp_path, given):
+    if given == "of others":
+        (tmp_path / packed.ABOUT).write_text(json.dumps({"key": "0", "modules": {}}))
+    monkeypatch.setattr(packed, "FOLDER", tmp_path)
+    packed.outdated.cache_clear()
+    packed.pack.cache_clear()
+    try:
+        assert packed.pack() is None and packed.outdated() == (given == "of others")
+        assert packed.content("page.js") == (STATIC / "page.js").read_bytes()
+    finally:
+        packed.outdated.cache_clear()
+        packed.pack.cache_clear()
 
 
-@pytest.mark.parametrize(
-    "text, reason",
-    [
-        ("import './other.js';\n", "cannot be bundled: import './other.js'"),
-        ("export default 1;\n", "cannot be bundled: export default"),
-        ("export { a };\n", "cannot be bundled: export { a }"),
-        ("const a = import('./other.js');\n", "cannot be bundled"),
-        ("import { a } from './other.js';\n", "a.js imports itself"),
-    ],
-)
-def test_what_cannot_be_bundled_is_refused(tmp_path, text, reason):
-    (tmp_path / "a.js").write_text(text)
-    (tmp_path / "other.js").write_text("import { b } from './a.js';\nexport const a = b;\n")
-    with pytest.raises(ValueError, match=reason):
-        bundle(tmp_path, "a.js")
+@pytest.fixture
+def plain_server(tmp_path):
+    server = PlainServer(tmp_path / "log")
+    server.start()
+    yield server.address
+    server.end(signal.SIGTERM)
+    server.said_no_trace()
+
+
+@pytest.mark.slow
+def test_without_a_pack_the_plain_modules_are_the_page(browser, plain_server):
+    """As from a clone on a machine without Node; what is fetched late is there too."""
+    page = Page(browser, plain_server, "?lesson=bounce-twice")
+    page.wait("() => strikewave.page.own.answers !== null && strikewave.page.opening.teaching.lesson !== null")
+    named = page.evaluate("() => performance.getEntriesByType('resource').map((each) => new URL(each.name).pathname)")
+    assert {"page.js", "charts/chart.js"} <= {name.split("/", 3)[-1] for name in named}  # of the first 250
+    assert page.errors == []
+    page.close()
+
+
+@pytest.mark.browser
+def test_a_lesson_is_packed_apart(browser, server):
+    page = Page(browser, server, "?lesson=bounce-twice")
+    page.wait("() => strikewave.page.opening.teaching.lesson !== null")
+    named = page.evaluate("() => performance.getEntriesByType('resource').map((each) => new URL(each.name).pathname)")
+    scripts = {name.split("/", 3)[-1] for name in named if name.startswith("/assets/") and name.endswith(".js")}
+    assert scripts - {"wasm/answers.js"} == {
+        *("page.js", "lesson/lesson.js", "browser/modules.js", "browser/start.js", f"text/{SOURCE}.js")
+    }
+    assert page.errors == []
+    page.close()
 
 
 @pytest.mark.parametrize(
@@ -171,13 +196,6 @@ def test_a_link_of_many_fields_is_answered_with_the_page(server, fields):
     """Beyond a thousand it was an empty 400."""
     with urllib.request.urlopen(f"http://{server}/?" + "&".join(["mass_ratio=3"] * fields), timeout=SECONDS) as page:
         assert page.status == 200 and b"Strikewave" in page.read()
-
-
-def test_lines_on_a_disk_are_joined_but_behind_a_comment_and_in_a_literal_that_spans_some(tmp_path):
-    (tmp_path / "a.js").write_text("const a = [\n  1,\n  2, // it's one;\n  3,\n];\nexport const b = a;\n")
-    (tmp_path / "c.js").write_text("export const c = `d;\n  e`;\n")
-    text = function(tmp_path, ["a.js", "c.js"], "run")
-    assert "[\n1,2, // it's one;\n3,];const b = a;" in text and "`d;\n  e`" in text
 
 
 def test_a_bare_client_fetches_what_a_browser_does(browser, server):

@@ -257,6 +257,13 @@ def modes_of_soft_rod(scene: Scene, count: int = 60) -> tuple[float, float]:
     return float(found.y[1, -1]), float(found.t[-1])
 
 
+@pytest.fixture(scope="module")
+def soft_rod() -> tuple[Scene, float, float]:
+    """And its rebound and parting."""
+    scene = dropped({"law": "linear", "stiffness": 1e5}, SOFT_ROD | {"support": "fixed"}, 2.0)
+    return scene, *modes_of_soft_rod(scene)
+
+
 @pytest.mark.parametrize(
     "method, options",
     [
@@ -267,10 +274,9 @@ def modes_of_soft_rod(scene: Scene, count: int = 60) -> tuple[float, float]:
         ("fe-nodal", {"status": "frozen"}),
     ],
 )
-def test_a_mass_that_falls_on_a_soft_rod(method, options):
+def test_a_mass_that_falls_on_a_soft_rod(method, options, soft_rod):
     """Without weight it would leave after 0.081 s."""
-    scene = dropped({"law": "linear", "stiffness": 1e5}, SOFT_ROD | {"support": "fixed"}, 2.0)
-    speed, parting = modes_of_soft_rod(scene)
+    scene, speed, parting = soft_rod
     found = solvers.solve(scene, method, **options)
     assert found.contacts[-1].end == approx(parting, rel=1e-3)
     assert found.impactor_velocity == approx(speed, abs=2e-3 * scene.speed)

@@ -44,23 +44,26 @@ def called(tree: ast.AST) -> list[tuple[str, set[str] | None]]:
     return found
 
 
-TEXTS = (path.read_text(encoding="utf-8") for path in SOURCES)
-USED = [
-    use for text in TEXTS if any(f"{name}(" in text for name in ("Note", *MAKERS)) for use in called(ast.parse(text))
-]
+@pytest.fixture(scope="module")
+def used() -> list[tuple[str, set[str] | None]]:
+    """Of all modules."""
+    texts = (path.read_text(encoding="utf-8") for path in SOURCES)
+    some = (text for text in texts if any(f"{name}(" in text for name in ("Note", *MAKERS)))
+    return [use for text in some for use in called(ast.parse(text))]
+
+
 CODES = {code for code in library(SOURCE).texts if not code.startswith("terms.")}
 
 
-@pytest.mark.parametrize("code", sorted({code for code, _ in USED}))
-def test_a_note_has_a_text_with_exactly_its_values(code):
-    assert code in CODES
-    for names in (names for used, names in USED if used == code and names is not None):
-        assert library(SOURCE).names(code) == names
+def test_notes_have_texts_with_exactly_their_values(used):
+    texts = library(SOURCE)
+    wrong = [code for code, names in used if code not in CODES or names not in (None, texts.names(code))]
+    assert wrong == []
 
 
-def test_every_text_and_every_term_is_used():
+def test_every_text_and_every_term_is_used(used):
     elsewhere = ("printed.", "left-out.", "name.")  # see `test_printed`, which prints the first two
-    assert {code for code, _ in USED} == {code for code in CODES if not code.startswith(elsewhere)}
+    assert {code for code, _ in used} == {code for code in CODES if not code.startswith(elsewhere)}
     assert {term for text in library(SOURCE).texts.values() for term in terms_in(text)} == set(library(SOURCE).terms)
 
 
