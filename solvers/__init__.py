@@ -58,6 +58,7 @@ from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.scattering import JointScattering, joint_scattering
+from .studies.study.study import study
 from .studies.sweep import solve_many, sweep
 from .validation import SceneError
 
@@ -128,6 +129,7 @@ __all__ = [
     "solve_many",
     "stability",
     "stored_tradeoff",
+    "study",
     "sweep",
     "to_toml",
     "tradeoff",

@@ -88,6 +88,7 @@ def _parser() -> argparse.ArgumentParser:
     _tradeoff_command(commands)
     _calibrate_command(commands)
     _sweep_command(commands)
+    _study_command(commands)
     _bounce_command(commands)
     _ensemble_command(commands)
     _convergence_command(commands)
@@ -157,6 +158,15 @@ def _sweep_command(commands: Any) -> None:
         return print_sweep(_scene(options), options.vary, options.figure, options.json)
 
     parser.set_defaults(run=run)
+
+
+def _study_command(commands: Any) -> None:
+    from .study import add_arguments, print_study
+
+    parser = commands.add_parser("study", help=text("help.study.about"))
+    _scene_arguments(parser)
+    add_arguments(parser)
+    parser.set_defaults(run=lambda options: print_study(_scene(options), options))
 
 
 def _bounce_command(commands: Any) -> None:

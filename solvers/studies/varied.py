@@ -1,8 +1,11 @@
-"""Units of the values that scenes differ by."""
+"""Keys that scenes differ by: their units, and what numbers they take."""
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
 from ..scene import Scene
+from ..solve import read_method
 from ..validation import SceneError
 
 
@@ -14,3 +17,24 @@ def unit_of(scene: Scene, key: str) -> str:
         unit = refused.reason.values.get("unit", "none")
         return "" if unit == "none" else str(unit)
     return ""
+
+
+def with_values(scene: Scene, changes: Mapping[str, Any]) -> Scene:
+    """The scene with other values, whose method exists with its options. Raises SceneError naming the key."""
+    changed = scene.replace(changes)
+    read_method(changed.method, changed)
+    return changed
+
+
+def takes_whole_numbers(scene: Scene, key: str, value: float) -> bool:
+    """Whether the key refuses a fraction and takes the whole number next to it."""
+    for tried, refused in ((value, True), (round(value), False)):
+        try:
+            with_values(scene, {key: tried})
+        except SceneError:
+            if not refused:
+                return False
+        else:
+            if refused:
+                return False
+    return True
