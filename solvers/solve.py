@@ -46,9 +46,7 @@ def solve(
     return chosen.solve_in_full(scene, usual if duration is None else duration)
 
 
-def chosen_method(
-    scene: Scene, method: str | Method | None = None, **options: Any
-) -> tuple[Method, float | None]:
+def chosen_method(scene: Scene, method: str | Method | None = None, **options: Any) -> tuple[Method, float | None]:
     """By which `solve` solves a scene, and the duration [s] that the scene names. Raises SceneError as it does."""
     table = dict(scene.method)
     duration = table.pop("duration", None)

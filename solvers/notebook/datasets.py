@@ -129,9 +129,8 @@ def _places(design: Any, units: Any) -> tuple[tuple[str, ...], dict[str, Any]]:
 
 
 def _values(column: Sequence[Any]) -> np.ndarray:
-    """Numbers, or words; both together as they are."""
-    alike = len({str if isinstance(value, str) else float for value in column}) == 1
-    return np.array(column) if alike else np.array(column, object)
+    """Numbers, or words, which may be of any length."""
+    return np.array(column, object if any(isinstance(value, str) for value in column) else None)
 
 
 def write_study(found: Dataset, path: Path) -> None:

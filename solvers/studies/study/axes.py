@@ -154,15 +154,11 @@ def _chance(key: str, name: str, numbers: list[float], given: str | None = None)
     from scipy import stats  # half a second, which nothing else here needs
 
     text = given or f"{name}({', '.join(f'{number:.17g}' for number in numbers)})"
-    ordered = name in ("normal", "lognormal") or all(a <= b for a, b in zip(numbers, numbers[1:], strict=False))
-    fits = len(numbers) == len(LAWS[name]) and all(map(math.isfinite, numbers)) and ordered
-    positive = {"normal": numbers[1:], "loguniform": numbers, "lognormal": numbers}.get(name, [])
-    if (
-        not fits
-        or numbers[0] == numbers[-1] != 0.0
-        and name in ("uniform", "triangular")
-        or min(positive, default=1.0) <= 0.0
-    ):
+    above = {"normal": numbers[1:], "loguniform": numbers, "lognormal": numbers}.get(name, [1.0])  # zero
+    fits = len(numbers) == len(LAWS[name]) and all(map(math.isfinite, numbers)) and min(above) > 0.0
+    if name not in ("normal", "lognormal"):
+        fits = fits and numbers == sorted(numbers) and numbers[0] < numbers[-1]
+    if not fits:
         raise SceneError(key, text, allowed("distribution-numbers", name=name, numbers=", ".join(LAWS[name])))
     if name == "normal":
         return Chance(text, stats.norm(*numbers))

@@ -1,4 +1,4 @@
-"""Who solves the points of a study: processes of this machine, which may end at any time, as one that is killed does."""
+"""Who solves the points of a study: processes of this machine, any of which may be killed."""
 
 import multiprocessing
 import os

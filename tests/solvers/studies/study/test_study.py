@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -132,7 +133,7 @@ def test_a_study_that_was_cancelled_goes_on(tmp_path):
     assert 10 <= there < 400 and int((part.refused == "not-solved").sum()) == 400 - there and not path.exists()
     with pytest.raises(SceneError, match="resume"):
         study("bronze-rod-steel-ball", vary, out=path)
-    with pytest.raises(SceneError, match="differs in: 'design', 'figures'|differs in: design, figures"):
+    with pytest.raises(SceneError, match="differs in: design, figures"):
         study("bronze-rod-steel-ball", {"impactor.velocity": "0.5..3:401"}, figures=["impulse"], out=path, resume=True)
     seen = []
     whole = study("bronze-rod-steel-ball", vary, out=path, resume=True, workers=2, progress=seen.append)
@@ -140,6 +141,14 @@ def test_a_study_that_was_cancelled_goes_on(tmp_path):
     assert same(whole, study("bronze-rod-steel-ball", vary, workers=2)) and path.exists()
     with pytest.raises(SceneError, match="a name that is new"):
         study("bronze-rod-steel-ball", vary, out=path)
+
+
+def runs(pid: str) -> bool:
+    """Whether there is such a process that has not ended, if only unheard of by its parent."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
+    except OSError:
+        return False
 
 
 @pytest.mark.slow
@@ -152,13 +161,13 @@ def test_killed_in_the_middle_nothing_is_lost_and_no_worker_stays(tmp_path):
     while len(list(parts.glob("*.npz"))) < 4:
         assert time.monotonic() < deadline and begun.poll() is None
         time.sleep(0.02)
-    workers = [int(pid) for pid in open(f"/proc/{begun.pid}/task/{begun.pid}/children").read().split()]
+    workers = Path(f"/proc/{begun.pid}/task/{begun.pid}/children").read_text().split()
     begun.kill()
     begun.wait()
     there = Parts(parts).spans()
     kept = {path.name: path.stat().st_mtime_ns for path in parts.glob("*.npz")}
     assert workers and there
-    while any(os.path.exists(f"/proc/{pid}") and "Z" not in open(f"/proc/{pid}/stat").read() for pid in workers):
+    while any(runs(pid) for pid in workers):
         assert time.monotonic() < deadline
         time.sleep(0.05)
     done = sum(stop - start for start, stop in Parts(parts).spans())
