@@ -30,6 +30,9 @@ CALLS = """\
 solve fixed-rod
 solve brick-off-centre
 solve four-bar
+solve fixed-rod --find impactor.mass=-1..3:20 --such-that contacts=1.5
+solve fixed-rod --find impactor.mass=1..3:20 --such-that impactor_velocity=-0.9
+solve fixed-rod --find impactor.mass=1..3:20 --such-that contacts=2
 plan fixed-rod
 bounce bouncing-ball
 sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
@@ -50,6 +53,9 @@ nowhere
 solve
 solve fixed-rod --bogus
 solve fixed-rod --set
+solve fixed-rod --find impactor.mass=1..2
+solve fixed-rod --such-that contacts=2
+solve fixed-rod --find impactor.mass=1..2 --such-that contacts
 solve fixed-rod --json=3
 tradeoff fixed-rod --s
 --help
