@@ -41,9 +41,9 @@ def read_span(option: str, given: str, count: int) -> Span:
 
 def parse_range(given: str) -> tuple[str, np.ndarray]:
     """The key and the values of `KEY=LOW..HIGH[:COUNT][:log|:linear]`."""
-    key, *span = read_span("--vary", given, 21)
+    span = read_span("--vary", given, 21)
     try:
-        return key, spaced(*span)
+        return span.key, spaced(span.low, span.high, span.count, span.spacing)
     except SceneError as refused:
         raise SceneError(f"--vary {refused.key}", refused.value, refused.reason) from None
 

@@ -164,7 +164,7 @@ class Crossings:
         """All roots and jumps that show between two values on different sides."""
         width = b - a
         try:
-            x = float(brentq(self._known, a, b, xtol=max(1e-11 * width, 5e-324), rtol=1e-15))  # type: ignore[arg-type]
+            x = float(brentq(self._known, a, b, xtol=max(1e-11 * width, 5e-324), rtol=1e-15))
         except _Missing as hole:
             if depth < DEEPEST:
                 self._in_parts([(a, self._edge(a, hole.at)), (self._edge(b, hole.at), b)], depth)
@@ -228,7 +228,7 @@ class Crossings:
         except _Passed as other:
             self._in_parts([(a, other.at), (other.at, b)])
             return
-        x, least = float(found.x), distance(float(found.x))  # type: ignore[attr-defined]
+        x, least = float(found.x), distance(float(found.x))
         if least <= TOUCH * max(abs(self.wanted), *sides) and not any(
             first <= x <= last for first, last in self.stretches
         ):

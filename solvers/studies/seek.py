@@ -23,6 +23,8 @@ from .varied import unit_of
 
 LEAST_SAMPLES, USUAL_SAMPLES, MOST_SAMPLES = 5, 60, 2_000
 
+STEEP = 100.0  # times the relative change of the key: a figure that changes by more is not to be relied on
+
 
 @dataclass(frozen=True)
 class Root:
@@ -140,7 +142,7 @@ def seek(
         scene.title, answers.name, key, unit_of(scene, key), low, high, figure, FIGURES[figure][0], wanted,
         roots, found.stretches, [Jump(*jump) for jump in found.jumps],
         None if some or found.roots else answers.nearest(wanted), len(values), len(missing),
-        _notes(values, missing, answers),
+        [*_notes(values, missing, answers), *_steep(roots)],
     )  # fmt: skip
 
 
@@ -247,6 +249,12 @@ def _root(answers: _Answers, found: Crossings, value: float, spacing: float, end
     return Root(value, slope, elasticity, answers.warnings(value))
 
 
+def _steep(roots: Sequence[Root]) -> list[Note]:
+    """That some values are ill-conditioned."""
+    steep = sum(root.elasticity is not None and abs(root.elasticity) > STEEP for root in roots)
+    return [Note("sought-where-steep", Severity.WARNING, steep=steep, roots=len(roots), times=STEEP)] if steep else []
+
+
 def _notes(values: Sequence[float], missing: Mapping[float, SceneError], answers: _Answers) -> list[Note]:
     """How finely it was sought, what was refused, and what `auto` chose."""
     count, by_factor = len(values), not math.isclose(values[1] - values[0], values[-1] - values[-2], rel_tol=1e-6)
@@ -254,8 +262,10 @@ def _notes(values: Sequence[float], missing: Mapping[float, SceneError], answers
     unit = unit_of(answers.scene, answers.key) or "none"
     notes = [Note("sought-among-samples", Severity.REMARK, samples=count, by_factor=by_factor, step=step, unit=unit)]
     if missing:
-        first = next(iter(missing.values())).note.table()
-        said = {"refused": len(missing), "samples": count, "first": first}
+        value, refused = next(iter(missing.items()))
+        own = refused.key == answers.key
+        why = {"own": own, "why": (refused.reason if own else refused.note).table()}
+        said = {"refused": len(missing), "samples": count, "key": answers.key, "value": value, **why}
         notes.append(Note("sought-with-holes", Severity.WARNING, **said))
     if answers.chosen is not None:
         said = {"method": answers.chosen.NAME, "key": answers.key, "value": answers.chosen_at}

@@ -74,7 +74,7 @@ KEYS = {
     "restitution",
     "impact",
     "scene",
-    *("modes", "frame", "residual", "True", "crank", "coupler", "bar"),
+    *("modes", "frame", "residual", "True", "crank", "coupler", "bar", "contacts"),
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
@@ -92,6 +92,8 @@ TYPED = {  # in a call, as it stands
         "COMMAND",
         "FILE",
         "VALUE",
+        "COUNT",
+        "log",
         "SCENE",
         "LANGUAGE",
     ),
