@@ -252,7 +252,7 @@ def _root(answers: _Answers, found: Crossings, value: float, spacing: float, end
 def _steep(roots: Sequence[Root]) -> list[Note]:
     """That some values are ill-conditioned."""
     steep = sum(root.elasticity is not None and abs(root.elasticity) > STEEP for root in roots)
-    return [Note("sought-where-steep", Severity.WARNING, steep=steep, roots=len(roots), times=STEEP)] if steep else []
+    return [Note("sought-where-steep", Severity.WARNING, steep=steep, times=STEEP)] if steep else []
 
 
 def _notes(values: Sequence[float], missing: Mapping[float, SceneError], answers: _Answers) -> list[Note]:

@@ -136,7 +136,7 @@ def test_values_at_which_the_figure_is_chaotic_are_not_firm(drop):
     found = solvers.seek(scene, "impactor.mass", (0.5, 5.0), {"impactor_velocity": -0.5})
     steep = [root for root in found.roots if abs(root.elasticity) > 100.0]
     (note,) = (note for note in found.notes if note.code == "sought-where-steep")
-    assert note.values["steep"] == len(steep) > 2 and note.values["roots"] == len(found.roots)
+    assert note.values["steep"] == len(steep) > 2
 
 
 def test_what_auto_chooses_once_solves_all(stop):
