@@ -58,6 +58,7 @@ from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.scattering import JointScattering, joint_scattering
+from .studies.seek import Sought, seek
 from .studies.study.study import study
 from .studies.sweep import solve_many, sweep
 from .validation import SceneError
@@ -103,6 +104,7 @@ __all__ = [
     "SceneNotSupported",
     "Section",
     "Solution",
+    "Sought",
     "SpringMass",
     "Stability",
     "TradeOff",
@@ -125,6 +127,7 @@ __all__ = [
     "reference",
     "regime_map",
     "scene_names",
+    "seek",
     "solve",
     "solve_many",
     "stability",

@@ -17,6 +17,8 @@ from solvers.jit.shortcuts import shorten
 
 from .lesson import add_commands as add_lesson_commands
 from .parser import Parser, Refused
+from .seek import add_arguments as add_seek_arguments
+from .seek import print_sought, turned_round
 from .serve import add_arguments as add_serve_arguments
 from .static import add_export_arguments, add_wasm_arguments
 from .words import text
@@ -79,6 +81,7 @@ def _parser() -> argparse.ArgumentParser:
     _scene_arguments(solve)
     solve.add_argument("--series", metavar="FILE", help=text("help.solve.series"))
     solve.add_argument("--at", action="append", default=[], metavar="X", help=text("help.solve.at"))
+    add_seek_arguments(solve)
     solve.set_defaults(run=_solve)
 
     compare = commands.add_parser("compare", help=text("help.compare"))
@@ -346,6 +349,8 @@ def parse_changes(changes: list[str]) -> dict[str, Any]:
 def _solve(options: argparse.Namespace) -> int:
     from .export import check_name, check_places, write_series
 
+    if turned_round(options):
+        return print_sought(_scene(options), options.find, options.such_that, options.json)
     scene, places = _scene(options), check_places(options.at, options.series)
     if options.series is not None:
         check_name(options.series, ".csv", ".nc")

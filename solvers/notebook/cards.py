@@ -9,6 +9,7 @@ from html import escape
 from typing import Any
 
 from ..text.catalogue import library, spoken
+from . import tables
 from .words import family, listed, named, shown, text, vector
 
 Rows = Iterable[tuple[str, str]]
@@ -192,6 +193,21 @@ def sweep_card(found: Any) -> str:
     heads = ("contacts", "seconds", "newton-seconds", "newtons", "metres-per-second", "restitution", "own-error")
     asked = (f"{name} [{unit}]" if unit else name for name, unit in found.asked.items())
     return _card("sweep", "", _table([found.key, *_named(heads), *asked], rows), [])
+
+
+def sought_card(found: Any) -> str:
+    """A row for each value of the key, and what is to be said besides."""
+    rows = [
+        (
+            _number(root.value),
+            _number(root.slope, unknown="-"),
+            _number(root.elasticity, unknown="-"),
+            " ".join(note.code for note in root.notes),
+        )
+        for root in found.roots
+    ]
+    said = [tables.sought_for(found), *tables.sought_beside(found), *found.notes]
+    return _card("seek", found.title, _table(tables.sought_heads(found), rows), said)
 
 
 def comparison_card(found: Any) -> str:

@@ -30,6 +30,9 @@ CALLS = """\
 solve fixed-rod
 solve brick-off-centre
 solve four-bar
+solve fixed-rod --find impactor.mass=-1..3:20 --such-that contacts=1.5
+solve fixed-rod --find impactor.mass=1..3:20 --such-that impactor_velocity=-0.9
+solve fixed-rod --find impactor.mass=1..3:20 --such-that contacts=2
 plan fixed-rod
 bounce bouncing-ball
 sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
@@ -50,6 +53,9 @@ nowhere
 solve
 solve fixed-rod --bogus
 solve fixed-rod --set
+solve fixed-rod --find impactor.mass=1..2
+solve fixed-rod --such-that contacts=2
+solve fixed-rod --find impactor.mass=1..2 --such-that contacts
 solve fixed-rod --json=3
 tradeoff fixed-rod --s
 --help
@@ -68,7 +74,7 @@ KEYS = {
     "restitution",
     "impact",
     "scene",
-    *("modes", "frame", "residual", "True", "crank", "coupler", "bar"),
+    *("modes", "frame", "residual", "True", "crank", "coupler", "bar", "contacts"),
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
@@ -86,6 +92,8 @@ TYPED = {  # in a call, as it stands
         "COMMAND",
         "FILE",
         "VALUE",
+        "COUNT",
+        "log",
         "SCENE",
         "LANGUAGE",
     ),
