@@ -176,7 +176,7 @@ def study_in(path: Path) -> dict[str, Any]:
         if path.suffix == ".csv":
             return json.loads(path.with_name(f"{path.name}.json").read_text("utf-8"))
         if path.suffix == ".parquet":
-            return dict(pandas.read_parquet(path, columns=[]).attrs)
+            return {str(name): value for name, value in pandas.read_parquet(path, columns=[]).attrs.items()}
         if path.suffix == ".zarr":
             return dict(xarray.open_zarr(path, chunks=None, consolidated=False).attrs)
         with xarray.open_dataset(path) as found:

@@ -7,7 +7,7 @@ from contextlib import closing
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ... import validation
 from ...methods.base import Method, never
@@ -21,9 +21,6 @@ from .crew import Processes, solved
 from .design import Design, design_of
 from .parts import Held, Parts, left_of, same_study
 from .work import Work
-
-if TYPE_CHECKING:
-    from xarray import Dataset
 
 ENDINGS = {".nc": "", ".zarr": "zarr", ".parquet": "pyarrow", ".csv": ""}  # with the package that each needs
 
@@ -59,7 +56,7 @@ def study(
     workers: int | None = None,
     progress: Callable[[Progress], Any] | None = None,
     cancelled: Callable[[], bool] = never,
-) -> "Dataset":
+) -> Any:
     """The figures of a scene at many points of its values, as an xarray.Dataset.
 
     `vary`: by key what it takes: an array or list of numbers or words, "LOW..HIGH:COUNT" with ":log" after it, or where
@@ -86,7 +83,7 @@ def study(
     """
     from ...notebook import datasets  # loads xarray, which nothing else here needs
 
-    begun, scene = time.perf_counter(), scene_of(scene)
+    scene = scene_of(scene)
     design = design_of(scene, vary, sample, points, seed)
     names = asked_for(figures)
     work = Work(scene, design.keys, names, method, notes)
@@ -100,7 +97,26 @@ def study(
         return datasets.read_study(path)
     parts = Held() if path is None else Parts(path.with_name(f"{path.name}.parts"))
     parts.begin(about, resume)
-    there = parts.spans()
+    _finish(work, design, parts, workers, cancelled, progress)
+    units = {key: unit_of(scene, key) for key in design.keys}
+    kinds = {name: FIGURES[name][0] for name in names}
+    found = datasets.study(design, parts.read(), kinds, units, about)
+    if path is not None and not left_of(design.size, parts.spans()):
+        datasets.write_study(found, path)
+        parts.end()
+    return found
+
+
+def _finish(
+    work: Work,
+    design: Design,
+    parts: Parts | Held,
+    workers: int,
+    cancelled: Callable[[], bool],
+    progress: Callable[[Progress], Any] | None,
+) -> None:
+    """Solve and keep what is not there yet."""
+    begun, there = time.perf_counter(), parts.spans()
     done = resumed = sum(stop - start for start, stop in there)
 
     def report() -> None:
@@ -108,19 +124,13 @@ def study(
             progress(Progress(done, resumed, design.size, time.perf_counter() - begun))
 
     report()
-    if done < design.size:
-        with closing(Processes(min(workers, design.size - done))) as crew:
-            for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled):
-                parts.keep((start, stop), part)
-                done += stop - start
-                report()
-    units = {key: unit_of(scene, key) for key in design.keys}
-    kinds = {name: FIGURES[name][0] for name in names}
-    found = datasets.study(design, parts.read(), kinds, units, about)
-    if path is not None and done == design.size:
-        datasets.write_study(found, path)
-        parts.end()
-    return found
+    if done == design.size:
+        return
+    with closing(Processes(min(workers, design.size - done))) as crew:
+        for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled):
+            parts.keep((start, stop), part)
+            done += stop - start
+            report()
 
 
 def file_of(out: str | Path) -> Path:

@@ -49,8 +49,8 @@ class Work:
         found = self._quick(rows)
         if found is None:
             solved = [self._solved(row) for row in rows]
-            figures, *words = zip(*solved, strict=True)
-            found = Part(np.array(figures, float), *(np.array(each, str) for each in words))
+            figures, refused, reason, notes = zip(*solved, strict=True)
+            found = Part(np.array(figures, float), np.array(refused), np.array(reason), np.array(notes))
         return Part(found.figures, found.refused, found.reason, found.notes, time.perf_counter() - begun)
 
     def _quick(self, rows: Sequence[tuple[Any, ...]]) -> Part | None:

@@ -36,6 +36,9 @@ solve fixed-rod --find impactor.mass=1..3:20 --such-that contacts=2
 plan fixed-rod
 bounce bouncing-ball
 sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
+study fixed-rod --vary impactor.velocity=0.5..1.5:2 --vary contact.law=rigid,velvet
+study fixed-rod --vary impactor.velocity
+study fixed-rod
 convergence fixed-rod --modes 2,4,8,16
 ensemble fixed-rod --runs 10
 stability fixed-rod --grid 2x2 --modes 4
@@ -78,6 +81,7 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
+    *("study", "velvet"),
     *(
         "plan",
         "joints",
