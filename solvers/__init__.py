@@ -57,6 +57,7 @@ from .studies.contact_times import ContactTimes, compare_with_half_space, contac
 from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
+from .studies.gradient import Gradient, gradient
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.sweep import solve_many, sweep
 from .validation import SceneError
@@ -81,6 +82,7 @@ __all__ = [
     "FeModal",
     "FeNodal",
     "Figures",
+    "Gradient",
     "JointScattering",
     "Material",
     "Mechanism",
@@ -116,6 +118,7 @@ __all__ = [
     "contact_times",
     "convergence",
     "ensemble",
+    "gradient",
     "joint_scattering",
     "load",
     "plan",

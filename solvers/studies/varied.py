@@ -1,9 +1,11 @@
-"""Units of the values that scenes differ by."""
+"""Values that scenes differ by, and their units."""
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
 from ..scene import Scene
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 
 
 def unit_of(scene: Scene, key: str) -> str:
@@ -14,3 +16,20 @@ def unit_of(scene: Scene, key: str) -> str:
         unit = refused.reason.values.get("unit", "none")
         return "" if unit == "none" else str(unit)
     return ""
+
+
+def value_of(scene: Scene, key: str) -> Any:
+    """What a key of the scene holds, as given or as it follows. Raises SceneError if nothing is there."""
+    for tables in (scene.given, scene.table()):
+        found: Any = tables
+        for name in key.split("."):
+            if isinstance(found, Mapping):
+                found = found.get(name)
+            elif isinstance(found, (list, tuple)) and name.isdecimal() and 1 <= int(name) <= len(found):
+                found = found[int(name) - 1]
+            else:
+                found = None
+        if found is not None:
+            return found
+    scene.replace({key: math.nan})  # refused: what is allowed
+    raise SceneError(key, None, allowed("differentiable"))
