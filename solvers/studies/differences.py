@@ -9,7 +9,6 @@ from scipy.differentiate import derivative
 
 HALVES = 3  # steps of a stencil: h, h/2, h/4
 FURTHER = 16.0  # by which the step is smaller where a second look is needed: then no point is solved twice
-ROUGH = 1e-5  # relative error beyond which a second look is needed
 CORNER, ALIKE = 1e-2, 0.2  # least difference of the slopes on the two sides; by which two looks may differ
 USELESS = 0.5  # relative error from which a derivative says nothing
 NOTHING = 1e-3  # of figure over key: a slope below it counts as none
@@ -61,29 +60,29 @@ def slopes(figures: Callable[[float], np.ndarray], at: float, step: float) -> Sl
     return Slopes(value, error, corner, np.full(middle.size, step))
 
 
-def rough(found: Slopes, scale: np.ndarray) -> np.ndarray:
-    """Which of them are not known well; `scale` (figures,): of figure over key."""
-    return ~(found.error <= ROUGH * np.maximum(np.abs(found.value), NOTHING * scale))
+def rough(found: Slopes, scale: np.ndarray, wanted: float) -> np.ndarray:
+    """Which of them are not known to a relative error `wanted`; `scale` (figures,): of figure over key."""
+    return ~(found.error <= wanted * np.maximum(np.abs(found.value), NOTHING * scale))
 
 
-def judged(first: Slopes, second: Slopes | None, scale: np.ndarray) -> tuple[Slopes, list[str]]:
+def judged(first: Slopes, second: Slopes | None, scale: np.ndarray, wanted: float) -> tuple[Slopes, list[str]]:
     """The better of two looks, the second one by a smaller step, for each figure; and why a derivative does not exist:
     "jump", "corner", "unsettled", or "".
     """
     best, why = first, [""] * scale.size
     if second is not None:
-        again = rough(first, scale)
+        again = rough(first, scale, wanted)
         better = again & (second.error < first.error)
         parts = zip(vars(first).values(), vars(second).values(), strict=True)
         best = Slopes(*(np.where(better, new, old) for old, new in parts))
-        still = again & rough(second, scale)
+        still = again & rough(second, scale, wanted)
         rises = first.value * first.step, second.value * second.step
         jumps = still & (np.abs(rises[1] - rises[0]) <= ALIKE * np.abs(rises[0]))
         steepest = np.abs(second.value) + 0.5 * np.abs(second.corner)
         same = np.abs(second.corner - first.corner) <= ALIKE * np.abs(second.corner)
         corners = still & same & (np.abs(second.corner) > CORNER * np.maximum(steepest, NOTHING * scale))
         why = ["corner" if c else "jump" if j else "" for c, j in zip(corners, jumps, strict=True)]
-    useless = ~(best.error <= USELESS * np.maximum(np.abs(best.value), NOTHING * scale))
+    useless = rough(best, scale, USELESS)
     return best, [each or ("unsettled" if bad else "") for each, bad in zip(why, useless, strict=True)]
 
 

@@ -26,6 +26,8 @@ from .varied import unit_of, value_of
 
 USUAL = ("peak_force", "impactor_velocity", "contact_time")
 WIDEST, NARROWEST = 1e-2, 2e-5  # reach of the differences, of the number itself, of the speed of approach for speeds
+WANTED, WANTED_OF_STEPS = 1e-5, 1e-3  # relative errors that suffice; the second one where the method marches by steps
+FINER = 4  # times the steps of the method: derivatives of peaks are first order in them
 MOST_KEYS = 100
 
 
@@ -190,16 +192,25 @@ class _Middle:
             method = METHODS[options.pop("name")].read(options)
             first, self.solves = method.without_estimate().solve(scene, duration), 2
         self.method = method if "estimated_error" in names else method.without_estimate()
-        self.duration = duration
-        if not isinstance(method, Waves) and getattr(method, "steps", 0) is None:
-            self.duration = first.duration
-            self.method = replace(self.method, **{"steps": first.diagnostics["steps"]})
-        solution = self.solve(scene)
+        self.duration, self.coarser = duration, None
+        if not isinstance(method, Waves) and hasattr(method, "steps"):
+            self._keep_steps(first)
+        solution = self.method.solve(scene, self.duration)
         self.solves += 1
         self.row, self.contacts = self.row_of(solution), _contacts(solution)
 
-    def solve(self, scene: Scene) -> Solution:
-        return self.method.solve(scene, self.duration)
+    def _keep_steps(self, first: Solution) -> None:
+        """For all that is solved the same number of steps over the same time; half of them show what they miss."""
+        options = {"steps": getattr(self.method, "steps", None)}
+        if options["steps"] is None:
+            options["steps"] = FINER * first.diagnostics["steps"]
+        self.duration = first.duration
+        self.method = replace(self.method, **options)
+        self.coarser = replace(self.method, **{"steps": math.ceil(0.5 * options["steps"])})
+
+    @property
+    def wanted(self) -> float:
+        return WANTED if self.coarser is None else WANTED_OF_STEPS
 
     def row_of(self, solution: Solution) -> np.ndarray:
         """The figures (figures,), NaN where one does not exist."""
@@ -255,12 +266,15 @@ class _Along:
 
     def _solved(self, number: float) -> np.ndarray | None:
         try:
-            solution = self.middle.solve(self.middle.scene.replace({self.key: number}))
+            solution = self._solution(number, self.middle.method)
         except SceneError:
             self.refused.add(number)
             return None
         self.solves += 1
         return self.middle.row_of(solution) if _contacts(solution) == self.middle.contacts else None
+
+    def _solution(self, number: float, method: Method) -> Solution:
+        return method.solve(self.middle.scene.replace({self.key: number}), self.middle.duration)
 
     def known(self, number: float) -> np.ndarray:
         """The same where there must be some."""
@@ -277,18 +291,29 @@ class _Along:
             alike = self._alike(step)
             if all(alike):
                 looks.append(slopes(self.known, self.at, step))
-                if not (rough(looks[-1], scale) & exists).any():
+                if not (rough(looks[-1], scale, self.middle.wanted) & exists).any():
                     break
             step = narrower(alike, step)
         if not looks:
             note, nothing = self._note("contacts" if self.nearest else "bound", math.nan), [math.nan] * exists.size
             return _Found(nothing, nothing, [note] * exists.size, nothing)
-        best, why = judged(looks[0], looks[1] if len(looks) > 1 else None, scale)
+        missed = self._missed_by_steps(looks[-1].step[0])
+        looks = [replace(look, error=look.error + missed) for look in looks]
+        best, why = judged(looks[0], looks[1] if len(looks) > 1 else None, scale, self.middle.wanted)
         why = ["missing" if not there else each for each, there in zip(why, exists, strict=True)]
         notes = [self._note(each, reach) for each, reach in zip(why, best.step.tolist(), strict=True)]
         there = np.array([not each for each in why])
         value, error = (np.where(there, each, math.nan).tolist() for each in (best.value, best.error))
         return _Found(value, error, notes, best.step.tolist())
+
+    def _missed_by_steps(self, step: float) -> np.ndarray | float:
+        """Twice by how much plain differences change with half the steps: peaks follow them to first order, by leaps."""
+        if self.middle.coarser is None:
+            return 0.0
+        numbers = (self.at - step, self.at + step)
+        below, above = (self.middle.row_of(self._solution(number, self.middle.coarser)) for number in numbers)
+        self.solves += 2
+        return np.abs((above - below) - (self.known(numbers[1]) - self.known(numbers[0]))) / step
 
     def _alike(self, step: float) -> list[bool]:
         """Whether nothing changes at each distance of the stencil, either way."""
