@@ -8,7 +8,7 @@ import numpy as np
 from scipy.differentiate import derivative
 
 HALVES = 3  # steps of a stencil: h, h/2, h/4
-FURTHER = 16.0  # by which the step is smaller where a second look is needed: then no point is solved twice
+FURTHER = 16.0  # by which the step is smaller where even its quarter is too wide
 CORNER, ALIKE = 1e-2, 0.2  # least difference of the slopes on the two sides; by which two looks may differ
 USELESS = 0.5  # relative error from which a derivative says nothing
 NOTHING = 1e-3  # of figure over key: a slope below it counts as none
@@ -65,29 +65,35 @@ def rough(found: Slopes, scale: np.ndarray, wanted: float) -> np.ndarray:
     return ~(found.error <= wanted * np.maximum(np.abs(found.value), NOTHING * scale))
 
 
-def judged(first: Slopes, second: Slopes | None, scale: np.ndarray, wanted: float) -> tuple[Slopes, list[str]]:
-    """The better of two looks, the second one by a smaller step, for each figure; and why a derivative does not exist:
-    "jump", "corner", "unsettled", or "".
+def helps(looks: list[Slopes], scale: np.ndarray, wanted: float) -> bool:
+    """Whether a smaller step is worth it: none was tried, or the last one has halved an error that is too large."""
+    last = rough(looks[-1], scale, wanted) & np.isfinite(looks[-1].error)
+    return bool(last.any() if len(looks) == 1 else (last & (looks[-1].error < 0.5 * looks[-2].error)).any())
+
+
+def judged(looks: list[Slopes], scale: np.ndarray, wanted: float) -> tuple[Slopes, list[str]]:
+    """The best of some looks, each by a smaller step, for each figure; and why a derivative does not exist: "jump",
+    "corner", "unsettled", or "".
     """
-    best, why = first, [""] * scale.size
-    if second is not None:
-        again = rough(first, scale, wanted)
-        better = again & (second.error < first.error)
-        parts = zip(vars(first).values(), vars(second).values(), strict=True)
+    best, why = looks[0], [""] * scale.size
+    for look in looks[1:]:
+        better = rough(best, scale, wanted) & (look.error < best.error)
+        parts = zip(vars(best).values(), vars(look).values(), strict=True)
         best = Slopes(*(np.where(better, new, old) for old, new in parts))
-        still = again & rough(second, scale, wanted)
-        rises = first.value * first.step, second.value * second.step
+    if len(looks) > 1:
+        first, last = looks[-2:]
+        still = rough(best, scale, wanted)
+        rises = first.value * first.step, last.value * last.step
         jumps = still & (np.abs(rises[1] - rises[0]) <= ALIKE * np.abs(rises[0]))
-        steepest = np.abs(second.value) + 0.5 * np.abs(second.corner)
-        same = np.abs(second.corner - first.corner) <= ALIKE * np.abs(second.corner)
-        corners = still & same & (np.abs(second.corner) > CORNER * np.maximum(steepest, NOTHING * scale))
+        steepest = np.abs(last.value) + 0.5 * np.abs(last.corner)
+        same = np.abs(last.corner - first.corner) <= ALIKE * np.abs(last.corner)
+        corners = still & same & (np.abs(last.corner) > CORNER * np.maximum(steepest, NOTHING * scale))
         why = ["corner" if c else "jump" if j else "" for c, j in zip(corners, jumps, strict=True)]
     useless = rough(best, scale, USELESS)
     return best, [each or ("unsettled" if bad else "") for each, bad in zip(why, useless, strict=True)]
 
 
 def narrower(alike: list[bool], step: float) -> float:
-    """The next step, where nothing may change at `step`, half and a quarter of it, but at some it does: the largest of
-    them within which nothing did."""
+    """The next step: half of it, or a quarter, if nothing changes within; `alike`: whether nothing does at the step,
+    half and a quarter of it."""
     return next((step / 2**half for half in range(1, HALVES) if all(alike[half:])), step / FURTHER)
-

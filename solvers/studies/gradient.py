@@ -19,7 +19,7 @@ from ..solution.solution import Solution
 from ..solve import read_method
 from ..text.notes import Note, Severity, coded
 from ..validation import SceneError, allowed
-from .differences import Slopes, judged, narrower, offsets, rough, slopes
+from .differences import Slopes, helps, judged, narrower, offsets, slopes
 from .figures import FIGURES, asked_for, figures_of
 from .sensitivity import plain
 from .varied import unit_of, value_of
@@ -28,7 +28,7 @@ USUAL = ("peak_force", "impactor_velocity", "contact_time")
 WIDEST, NARROWEST = 1e-2, 2e-5  # reach of the differences, of the number itself, of the speed of approach for speeds
 WANTED, WANTED_OF_STEPS = 1e-5, 1e-3  # relative errors that suffice; the second one where the method marches by steps
 FINER = 4  # times the steps of the method: derivatives of peaks are first order in them
-MOST_KEYS = 100
+MOST_KEYS, MOST_LOOKS = 100, 4
 
 
 @dataclass(frozen=True, repr=False)
@@ -90,9 +90,10 @@ def gradient(
     figure jumps or has a corner, or the scene allows the number on one side alone, the value is NaN and `why` says so.
     Every solve has the method of the middle one, its steps and its duration where it marches, and no estimate of the
     error unless `of` names it. `method`: the scene's own by default.
-    Error: `error`, which is more than the true one but for errors of the method that all solves share; of exact waves
-    below 1e-9 of it, of methods that march by steps 1e-3 and less, where many contacts follow each other far more.
-    Cost: six solves for each key, on `workers` threads (as many as there are processors); more where a step is reduced.
+    Error: `error`, of the differences, with the noise of the method; of methods that march by steps what half the steps
+    change, too, 1e-3 or less where contacts are few. What all solves share, such as too few modes, is not in it.
+    Cost: six solves for each key, eight where the method marches, then with four times its steps; two more each time
+    that a step is halved. On `workers` threads (as many as there are processors).
     Raises SceneError for figures and keys that do not exist, keys that take no numbers or whole ones alone, bodies in
     space; SceneNotSupported as `solve` does.
     """
@@ -283,15 +284,15 @@ class _Along:
         return row
 
     def follow(self) -> _Found:
-        """By the widest step within which the contacts are the same, and by one more where that is not enough."""
+        """By the widest step within which the contacts are the same, and by smaller ones while that helps."""
         looks: list[Slopes] = []
         step, scale = WIDEST * self.scale, self.middle.scales(self.scale)
         exists = np.isfinite(self.middle.row)
-        while not self.bound and step >= NARROWEST * self.scale and len(looks) < 2:
+        while not self.bound and step >= NARROWEST * self.scale and len(looks) < MOST_LOOKS:
             alike = self._alike(step)
             if all(alike):
                 looks.append(slopes(self.known, self.at, step))
-                if not (rough(looks[-1], scale, self.middle.wanted) & exists).any():
+                if not helps(looks, scale, self.middle.wanted):
                     break
             step = narrower(alike, step)
         if not looks:
@@ -299,7 +300,7 @@ class _Along:
             return _Found(nothing, nothing, [note] * exists.size, nothing)
         missed = self._missed_by_steps(looks[-1].step[0])
         looks = [replace(look, error=look.error + missed) for look in looks]
-        best, why = judged(looks[0], looks[1] if len(looks) > 1 else None, scale, self.middle.wanted)
+        best, why = judged(looks, scale, self.middle.wanted)
         why = ["missing" if not there else each for each, there in zip(why, exists, strict=True)]
         notes = [self._note(each, reach) for each, reach in zip(why, best.step.tolist(), strict=True)]
         there = np.array([not each for each in why])
