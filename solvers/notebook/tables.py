@@ -80,7 +80,12 @@ def gradient(found: Any) -> str:
     for figure, by in found.value.items():
         for key, value in by.items():
             error, elasticity = found.error[figure][key], found.elasticity[figure][key]
-            cells = (existing(value, ".7g"), found.unit[figure][key], existing(error, ".1e"), existing(round(elasticity, 9), "+.6g"))
+            cells = (
+                existing(value, ".7g"),
+                found.unit[figure][key],
+                existing(error, ".1e"),
+                existing(round(elasticity, 9), "+.6g"),
+            )
             rows.append((named("quantity", figure), key, *cells))
             if (note := found.why[figure][key]) is not None:
                 why.append(f"{named('quantity', figure)}, {key}: {note}")

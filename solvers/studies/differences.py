@@ -1,8 +1,8 @@
 """Derivatives by central differences: each with its error, and what follows no smooth course."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from scipy.differentiate import derivative
@@ -53,7 +53,7 @@ def slopes(figures: Callable[[float], np.ndarray], at: float, step: float) -> Sl
     value = by_order(6, step)
     sizes = [step / 2**half for half in range(HALVES)]
     second = [(figures(at + size) - 2.0 * middle + figures(at - size)) / size for size in sizes]
-    once = [2.0 * finer - coarser for coarser, finer in zip(second[:-1], second[1:], strict=True)]
+    once = [2.0 * finer - coarser for coarser, finer in pairwise(second)]
     corner = (8.0 * once[1] - once[0]) / 7.0
     rounding = 4.0 * np.finfo(float).eps * np.abs(middle) / step
     error = np.maximum(np.abs(value - by_order(4, 0.5 * step)), 0.5 * np.abs(corner)) + rounding

@@ -24,7 +24,7 @@ from .figures import FIGURES, asked_for, figures_of
 from .sensitivity import plain
 from .varied import unit_of, value_of
 
-USUAL = ("peak_force", "impactor_velocity", "contact_time")
+USUAL, USUAL_KEY = ("peak_force", "impactor_velocity", "contact_time"), "impactor.mass"
 WIDEST, NARROWEST = 1e-2, 2e-5  # reach of the differences, of the number itself, of the speed of approach for speeds
 WANTED, WANTED_OF_STEPS = 1e-5, 1e-3  # relative errors that suffice; the second one where the method marches by steps
 FINER = 4  # times the steps of the method: derivatives of peaks are first order in them
@@ -46,7 +46,7 @@ class Gradient:
     unit: dict[str, dict[str, str]]
     why: dict[str, dict[str, Note | None]]  # there is none
     reach: dict[str, dict[str, float]]  # of the differences either way, in units of the key
-    nearest: dict[str, tuple[float, float] | None]  # by key: between which distances contacts change, where that is known
+    nearest: dict[str, tuple[float, float] | None]  # by key: distances between which contacts change
     solves: int
     notes: list[Note]
     wall_time: float
@@ -78,7 +78,7 @@ class Gradient:
 def gradient(
     scene: SceneOrName,
     of: str | Sequence[str] = USUAL,
-    to: str | Sequence[str] = "impactor.mass",
+    to: str | Sequence[str] = USUAL_KEY,
     method: str | Method | None = None,
     workers: int | None = None,
 ) -> Gradient:
@@ -149,7 +149,7 @@ def _elasticity(slope: float, at: float, figure: float) -> float:
 
 
 def _keys(to: str | Sequence[str]) -> list[str]:
-    keys = list(dict.fromkeys(to if isinstance(to, (list, tuple)) else (to,)))
+    keys: list[Any] = list(dict.fromkeys(to if isinstance(to, (list, tuple)) else (to,)))
     validation.whole_number("number of keys", len(keys), 1, MOST_KEYS)
     for key in keys:
         if not isinstance(key, str) or key.partition(".")[0] not in ("impactor", "target", "contact"):
@@ -308,7 +308,7 @@ class _Along:
         return _Found(value, error, notes, best.step.tolist())
 
     def _missed_by_steps(self, step: float) -> np.ndarray | float:
-        """Twice by how much plain differences change with half the steps: peaks follow them to first order, by leaps."""
+        """Twice by how much plain differences change with half the steps: peaks follow them by leaps."""
         if self.middle.coarser is None:
             return 0.0
         numbers = (self.at - step, self.at + step)

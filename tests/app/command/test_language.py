@@ -35,6 +35,7 @@ bounce bouncing-ball
 sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
 convergence fixed-rod --modes 2,4,8,16
 ensemble fixed-rod --runs 10
+gradient fixed-rod
 stability fixed-rod --grid 2x2 --modes 4
 tradeoff fixed-rod --stored
 joints bent-rods
@@ -75,6 +76,9 @@ TYPED = {  # in a call, as it stands
     *(
         "plan",
         "joints",
+        "gradient",
+        "FIGURE",
+        "KEY",
         "lesson",
         "check",
         "new",
