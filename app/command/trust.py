@@ -40,7 +40,7 @@ def print_ensemble(scene: solvers.Scene, runs: str, spread: str, key: str | None
 
 def print_gradient(scene: solvers.Scene, of: list[str] | None, to: list[str] | None, as_json: bool) -> int:
     """Print the derivatives of figures by keys as a table, or all that is known of them in JSON."""
-    options = {"figures": "--of", "to": "--to", "number of keys": "--to"}
+    options = {"figures": "--of", "to": "--to"}
     try:
         found = gradient(scene, of or USUAL, to or USUAL_KEY)
     except SceneError as refused:
