@@ -57,6 +57,7 @@ from .studies.contact_times import ContactTimes, compare_with_half_space, contac
 from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
+from .studies.gradient import Gradient, gradient
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
 from .studies.study.study import study
@@ -83,6 +84,7 @@ __all__ = [
     "FeModal",
     "FeNodal",
     "Figures",
+    "Gradient",
     "JointScattering",
     "Material",
     "Mechanism",
@@ -119,6 +121,7 @@ __all__ = [
     "contact_times",
     "convergence",
     "ensemble",
+    "gradient",
     "joint_scattering",
     "load",
     "plan",

@@ -94,6 +94,7 @@ def _parser() -> argparse.ArgumentParser:
     _study_command(commands)
     _bounce_command(commands)
     _ensemble_command(commands)
+    _gradient_command(commands)
     _convergence_command(commands)
     _record_command(commands)
     _stability_command(commands)
@@ -198,6 +199,20 @@ def _ensemble_command(commands: Any) -> None:
         from .trust import print_ensemble
 
         return print_ensemble(_scene(options), options.runs, options.spread, options.key, options.seed, options.json)
+
+    parser.set_defaults(run=run)
+
+
+def _gradient_command(commands: Any) -> None:
+    parser = commands.add_parser("gradient", help=text("help.gradient.about"))
+    _scene_arguments(parser)
+    parser.add_argument("--of", nargs="+", action="extend", metavar="FIGURE", help=text("help.gradient.of"))
+    parser.add_argument("--to", nargs="+", action="extend", metavar="KEY", help=text("help.gradient.to"))
+
+    def run(options: argparse.Namespace) -> int:
+        from .trust import print_gradient
+
+        return print_gradient(_scene(options), options.of, options.to, options.json)
 
     parser.set_defaults(run=run)
 

@@ -37,9 +37,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def print_study(scene: solvers.Scene, options: Namespace) -> int:
     """Solve it, and print how far its figures reach; after an interrupt what is solved by then."""
-    vary = _vary([*options.vary, *options.distribution])
-    if options.method is not None:
-        vary["method.name"] = options.method
+    methods = [] if options.method is None else [f"method.name={options.method}"]
+    vary = _vary([*options.vary, *options.distribution, *methods])
     last = Progress(0, 0, 0, 0.0)
 
     def progress(now: Progress) -> None:
@@ -101,6 +100,8 @@ def _vary(given: Sequence[str]) -> dict[str, str]:
         if key.strip() in found:
             raise SceneError("--vary", each, text("wanted.one-value", before=repr(found[key.strip()])))
         found[key.strip()] = said
+    if not found:
+        raise SceneError("--vary", None, text("wanted.study"))
     return found
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..text.catalogue import library, spoken
 from . import tables
-from .words import family, listed, named, shown, text, vector
+from .words import existing, family, listed, named, shown, text, vector
 
 Rows = Iterable[tuple[str, str]]
 
@@ -153,6 +153,27 @@ def ensemble_card(found: Any) -> str:
     ]
     heads = _named(("figure", "unperturbed", "lowest", "median", "highest", "verdict"))
     return _card("ensemble", found.title, _table(heads, spreads) + _pairs(rows), [found.summary, *found.notes])
+
+
+def gradient_card(found: Any) -> str:
+    """Every derivative with its error and elasticity, or why there is none."""
+    derivatives = [
+        (
+            named("quantity", figure),
+            key,
+            existing(value, ".6g"),
+            found.unit[figure][key],
+            existing(found.error[figure][key], ".1e"),
+            existing(round(found.elasticity[figure][key], 9), "+.6g"),
+            str(found.why[figure][key] or ""),
+        )
+        for figure, by in found.value.items()
+        for key, value in by.items()
+    ]
+    name = family("card.name")
+    heads = _named(("figure", "varied", "derivative", "unit", "own-error", "elasticity", "why-not"))
+    rows = [(name["method"], _method(found.method)), (name["solves"], str(found.solves))]
+    return _card("gradient", found.title, _table(heads, derivatives) + _pairs(rows), found.notes)
 
 
 def convergence_card(found: Any) -> str:

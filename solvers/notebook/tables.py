@@ -6,7 +6,7 @@ from typing import Any
 
 from ..text.catalogue import library, spoken
 from .report import line, method_line, title_of
-from .words import family, listed, named, shown, text, vector
+from .words import existing, family, listed, named, shown, text, vector
 
 COLUMNS = {  # and how wide they are at least
     "contacts": 8,
@@ -129,6 +129,32 @@ def ensemble(found: Any) -> str:
         verdict = named("verdict", row.verdict.replace(" ", "-"))
         lines.append(f"  {name:{wide}}  {values}  {rest}  {verdict}")
     return "\n".join([*lines, "", str(found.summary), *(text("report.note", note=note) for note in found.notes)])
+
+
+def gradient(found: Any) -> str:
+    """A line for each figure and key, and why there is no derivative."""
+    solved = text("gradient.solved", method=found.method["name"], solves=found.solves, seconds=found.wall_time)
+    rows, why = [tuple(family("gradient.head").values())], []
+    for figure, by in found.value.items():
+        for key, value in by.items():
+            error, elasticity = found.error[figure][key], found.elasticity[figure][key]
+            cells = (
+                existing(value, ".7g"),
+                found.unit[figure][key],
+                existing(error, ".1e"),
+                existing(round(elasticity, 9), "+.6g"),
+            )
+            rows.append((named("quantity", figure), key, *cells))
+            if (note := found.why[figure][key]) is not None:
+                why.append(f"{named('quantity', figure)}, {key}: {note}")
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    sides = "<<><>>"
+    lines = [
+        "  " + "  ".join(f"{cell:{side}{width}}" for cell, side, width in zip(row, sides, widths, strict=True)).rstrip()
+        for row in rows
+    ]
+    notes = [*why, *(text("report.note", note=note) for note in found.notes)]
+    return "\n".join([found.title or text("report.scene"), f"  {solved}", "", *lines, *([""] if notes else []), *notes])
 
 
 def convergence(found: Any) -> str:

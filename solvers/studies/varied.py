@@ -6,7 +6,7 @@ from typing import Any
 
 from ..scene import Scene
 from ..solve import read_method
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 
 
 def unit_of(scene: Scene, key: str) -> str:
@@ -38,3 +38,20 @@ def takes_whole_numbers(scene: Scene, key: str, value: float) -> bool:
             if refused:
                 return False
     return True
+
+
+def value_of(scene: Scene, key: str) -> Any:
+    """What a key of the scene holds, as given or as it follows. Raises SceneError if nothing is there."""
+    for tables in (scene.given, scene.table()):
+        found: Any = tables
+        for name in key.split("."):
+            if isinstance(found, Mapping):
+                found = found.get(name)
+            elif isinstance(found, (list, tuple)) and name.isdecimal() and 1 <= int(name) <= len(found):
+                found = found[int(name) - 1]
+            else:
+                found = None
+        if found is not None:
+            return found
+    scene.replace({key: math.nan})  # refused: what is allowed
+    raise SceneError(key, None, allowed("differentiable"))

@@ -13,7 +13,7 @@ from ... import validation
 from ...scene import Scene
 from ...validation import SceneError, allowed
 from ..sweep import spaced
-from ..varied import takes_whole_numbers
+from ..varied import takes_whole_numbers, value_of
 
 NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 RANGE = re.compile(
@@ -200,15 +200,8 @@ def _value(word: str) -> Any:
 
 
 def number_of(scene: Scene, key: str) -> float:
-    """The number that the scene has for a key. Raises SceneError where it has none."""
-    found: Any = scene.given or scene.table()
-    for tables in (found, scene.table()):
-        value: Any = tables
-        for name in key.split("."):
-            if isinstance(value, list) and name.isdecimal() and 1 <= int(name) <= len(value):
-                value = value[int(name) - 1]
-            else:
-                value = value.get(name) if isinstance(value, Mapping) else None
-        if isinstance(value, (int, float)) and not isinstance(value, bool) and value:
-            return float(value)
-    raise SceneError("key", key, allowed("perturbed-number"))
+    """The number that the scene has for a key. Raises SceneError where it has none but zero."""
+    value = value_of(scene, key)
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not value:
+        raise SceneError("key", key, allowed("perturbed-number"))
+    return float(value)

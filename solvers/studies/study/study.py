@@ -59,27 +59,20 @@ def study(
 ) -> Any:
     """The figures of a scene at many points of its values, as an xarray.Dataset.
 
-    `vary`: by key what it takes: an array or list of numbers or words, "LOW..HIGH:COUNT" with ":log" after it, or where
-    points are drawn by chance a distribution: "normal(mean, deviation)", "uniform(low, high)", "loguniform(low, high)",
-    "triangular(low, mode, high)", "lognormal(median, deviation of the logarithm)", "5%" about the scene's own value, or
-    a frozen one of `scipy.stats`; there a list is drawn from evenly. Keys with a comma between them, or in a tuple, are
-    varied together: one value for all, or a tuple of them. Any key of a scene file: bodies, materials, laws, methods.
-    `sample`: "grid" (each with each), or of `points` points "random", "lhs" (Latin hypercube; what is usual where
-    `points` is given) or "sobol", from `seed` on.
-
-    Variables: the `figures` of `Figures` (those that cost nothing, unless they are named), NaN where there is none;
-    `refused`, the code of a refusal, with its sentence in `reason`; `notes`, the codes of what is to be known, with
-    spaces between. Dimensions: the keys, or `point` with the keys as coordinates. Attributes: scene as TOML, version,
-    method, design. No point is left out: what is refused, fails, or ends its process stands there with why.
-    `notes=False`: they are not looked for; then a rigid mass on one rod takes 20 microseconds. At most 1e7 points.
-
-    `out`: a file .nc, .zarr, .parquet or .csv. What is done is kept beside it (`OUT.parts`), and a study that was
-    interrupted goes on with `resume`. `workers`: processes, one on each processor if it is not given. Results do not
-    hang on their number, nor on the order. `cancelled()` true: what is done by then
-    stays in `OUT.parts`; without `out` it is returned, the rest refused as "not-solved".
-
-    Raises SceneError naming what cannot be: keys, ranges, files of another study; OSError where nothing can be written;
-    ImportError without the extra `notebook`. Cost: the solves, shared by the workers.
+    `vary`: by key an array or list of numbers or words, "LOW..HIGH:COUNT[:log]", or a distribution to draw from:
+    "normal(mean, deviation)", "uniform", "loguniform", "triangular(low, mode, high)", "lognormal(median, deviation)",
+    "5%" about the scene's own value, or a frozen one of `scipy.stats`. Keys with commas between them are varied
+    together. Any key of a scene file: bodies, materials, laws, methods. `sample`: "grid", each with each; or `points`
+    of them "random", "lhs" (the usual one) or "sobol", from `seed` on.
+    Variables: `figures` (those of `Figures` that cost nothing, unless they are named), NaN where there is none;
+    `refused`, the code of a refusal, and `reason`, its sentence; `notes`, codes with spaces between; `notes=False`:
+    they are not looked for, and a rigid mass on one rod takes 20 microseconds. Dimensions: the keys, or `point`.
+    Attributes: what makes another study of it. No point is left out, whatever it raises, or if it ends its process.
+    `out`: a file .nc, .zarr, .parquet or .csv; what is done is kept beside it in `OUT.parts`, from where it goes on
+    with `resume`. `workers`: processes, one on each processor unless it says otherwise; no result hangs on that.
+    `cancelled()` true: what is left is refused as "not-solved". At most 1e7 points.
+    Raises SceneError naming what cannot be: ranges, distributions, files of another study; OSError where nothing can
+    be written; ImportError without the extra `notebook`. Cost: the solves, shared by the workers.
     """
     from ...notebook import datasets  # loads xarray, which nothing else here needs
 

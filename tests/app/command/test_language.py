@@ -9,6 +9,7 @@ import pytest
 
 import solvers
 from solvers.accuracy.quantities import QUANTITIES
+from solvers.studies.figures import FIGURES
 from solvers.text.catalogue import CHOSEN
 
 from ...patience import SECONDS
@@ -41,6 +42,7 @@ study fixed-rod --vary impactor.velocity
 study fixed-rod
 convergence fixed-rod --modes 2,4,8,16
 ensemble fixed-rod --runs 10
+gradient fixed-rod
 stability fixed-rod --grid 2x2 --modes 4
 tradeoff fixed-rod --stored
 joints bent-rods
@@ -68,6 +70,7 @@ KEYS = {
     *solvers.METHODS,
     *solvers.LAWS,
     *QUANTITIES,
+    *FIGURES,
     "MPa",
     "newmark",
     "structural",
@@ -85,6 +88,9 @@ TYPED = {  # in a call, as it stands
     *(
         "plan",
         "joints",
+        "gradient",
+        "FIGURE",
+        "KEY",
         "lesson",
         "check",
         "new",
