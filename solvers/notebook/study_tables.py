@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from .words import text
+from .words import shown, text
 
 WORDS = ("refused", "reason", "notes")
 NOT_SOLVED = "not-solved"
@@ -82,7 +82,8 @@ def lines(found: Any, known: dict[str, Any]) -> str:
     wide = max([0, *map(len, names.values())])
     for name, each in known["figures"].items():
         for head, end in ((names[name], each["lowest"]), ("", each["highest"])):
-            said.append(f"  {head:{wide}}  {end['value']:12.6g}  " + text("study.at", at=_said(end["at"])))
+            value = shown(end["value"], ".6g")
+            said.append(f"  {head:{wide}}  {value:>12}  " + text("study.at", at=_said(end["at"])))
     said += [""] if known["refusals"] or known["notes"] else []
     for each in known["refusals"]:
         said.append("  " + text("study.refused", points=each["points"], at=_said(each["at"]), reason=each["reason"]))

@@ -87,6 +87,8 @@ def study(
     about = _about(work, design)
     if path is not None and path.exists():
         same_study(datasets.study_in(path), about, str(path)) if resume else _refuse(path)
+        if progress is not None:
+            progress(Progress(design.size, design.size, design.size, 0.0))
         return datasets.read_study(path)
     parts = Held() if path is None else Parts(path.with_name(f"{path.name}.parts"))
     parts.begin(about, resume)
