@@ -57,7 +57,10 @@ from .studies.contact_times import ContactTimes, compare_with_half_space, contac
 from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
+from .studies.gradient import Gradient, gradient
 from .studies.scattering import JointScattering, joint_scattering
+from .studies.seek import Sought, seek
+from .studies.study.study import study
 from .studies.sweep import solve_many, sweep
 from .validation import SceneError
 
@@ -81,6 +84,7 @@ __all__ = [
     "FeModal",
     "FeNodal",
     "Figures",
+    "Gradient",
     "JointScattering",
     "Material",
     "Mechanism",
@@ -102,6 +106,7 @@ __all__ = [
     "SceneNotSupported",
     "Section",
     "Solution",
+    "Sought",
     "SpringMass",
     "Stability",
     "TradeOff",
@@ -116,6 +121,7 @@ __all__ = [
     "contact_times",
     "convergence",
     "ensemble",
+    "gradient",
     "joint_scattering",
     "load",
     "plan",
@@ -124,10 +130,12 @@ __all__ = [
     "reference",
     "regime_map",
     "scene_names",
+    "seek",
     "solve",
     "solve_many",
     "stability",
     "stored_tradeoff",
+    "study",
     "sweep",
     "to_toml",
     "tradeoff",

@@ -9,6 +9,7 @@ from .bodies import Mechanism
 from .methods import METHODS, Modal, usual_method
 from .methods.base import Method
 from .methods.multibody.method import Multibody
+from .scene import Scene
 from .scenes.library import SceneOrName, scene_of
 from .solution.solution import Solution
 from .validation import SceneError, allowed
@@ -41,15 +42,18 @@ def solve(
     method cannot solve the scene.
     """
     scene = scene_of(scene)
+    chosen, usual = chosen_method(scene, method, **options)
+    return chosen.solve_in_full(scene, usual if duration is None else duration)
+
+
+def chosen_method(scene: Scene, method: str | Method | None = None, **options: Any) -> tuple[Method, float | None]:
+    """By which `solve` solves a scene, and the duration [s] that the scene names. Raises SceneError as it does."""
     table = dict(scene.method)
-    if duration is None:
-        duration = table.pop("duration", None)
-    table.pop("duration", None)
+    duration = table.pop("duration", None)
     if isinstance(method, Method):
         if options:
             raise SceneError("method", options, allowed("options-of-object"))
-        return method.solve_in_full(scene, duration)
+        return method, duration
     if method is not None and method != (table.get("name") or usual_method(scene)):
         table = {"name": method}
-    chosen, _ = read_method(table | options, scene)
-    return chosen.solve_in_full(scene, duration)
+    return read_method(table | options, scene)[0], duration

@@ -17,6 +17,8 @@ from solvers.jit.shortcuts import shorten
 
 from .lesson import add_commands as add_lesson_commands
 from .parser import Parser, Refused
+from .seek import add_arguments as add_seek_arguments
+from .seek import print_sought, turned_round
 from .serve import add_arguments as add_serve_arguments
 from .static import add_export_arguments, add_wasm_arguments
 from .words import text
@@ -79,6 +81,7 @@ def _parser() -> argparse.ArgumentParser:
     _scene_arguments(solve)
     solve.add_argument("--series", metavar="FILE", help=text("help.solve.series"))
     solve.add_argument("--at", action="append", default=[], metavar="X", help=text("help.solve.at"))
+    add_seek_arguments(solve)
     solve.set_defaults(run=_solve)
 
     compare = commands.add_parser("compare", help=text("help.compare"))
@@ -88,8 +91,10 @@ def _parser() -> argparse.ArgumentParser:
     _tradeoff_command(commands)
     _calibrate_command(commands)
     _sweep_command(commands)
+    _study_command(commands)
     _bounce_command(commands)
     _ensemble_command(commands)
+    _gradient_command(commands)
     _convergence_command(commands)
     _record_command(commands)
     _stability_command(commands)
@@ -159,6 +164,15 @@ def _sweep_command(commands: Any) -> None:
     parser.set_defaults(run=run)
 
 
+def _study_command(commands: Any) -> None:
+    from .study import add_arguments, print_study
+
+    parser = commands.add_parser("study", help=text("help.study.about"))
+    _scene_arguments(parser)
+    add_arguments(parser)
+    parser.set_defaults(run=lambda options: print_study(_scene(options), options))
+
+
 def _bounce_command(commands: Any) -> None:
     parser = commands.add_parser("bounce", help=text("help.bounce.about"))
     _scene_arguments(parser)
@@ -185,6 +199,20 @@ def _ensemble_command(commands: Any) -> None:
         from .trust import print_ensemble
 
         return print_ensemble(_scene(options), options.runs, options.spread, options.key, options.seed, options.json)
+
+    parser.set_defaults(run=run)
+
+
+def _gradient_command(commands: Any) -> None:
+    parser = commands.add_parser("gradient", help=text("help.gradient.about"))
+    _scene_arguments(parser)
+    parser.add_argument("--of", nargs="+", action="extend", metavar="FIGURE", help=text("help.gradient.of"))
+    parser.add_argument("--to", nargs="+", action="extend", metavar="KEY", help=text("help.gradient.to"))
+
+    def run(options: argparse.Namespace) -> int:
+        from .trust import print_gradient
+
+        return print_gradient(_scene(options), options.of, options.to, options.json)
 
     parser.set_defaults(run=run)
 
@@ -336,6 +364,8 @@ def parse_changes(changes: list[str]) -> dict[str, Any]:
 def _solve(options: argparse.Namespace) -> int:
     from .export import check_name, check_places, write_series
 
+    if turned_round(options):
+        return print_sought(_scene(options), options.find, options.such_that, options.json)
     scene, places = _scene(options), check_places(options.at, options.series)
     if options.series is not None:
         check_name(options.series, ".csv", ".nc")

@@ -3,6 +3,7 @@
 import json
 import re
 import sys
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,17 +20,32 @@ _RANGE = re.compile(
 )
 
 
-def parse_range(given: str) -> tuple[str, np.ndarray]:
-    """The key and the values of `KEY=LOW..HIGH[:COUNT][:log|:linear]`."""
+class Span(NamedTuple):
+    """A key and what it ranges over."""
+
+    key: str
+    low: float
+    high: float
+    count: int
+    spacing: str | None
+
+
+def read_span(option: str, given: str, count: int) -> Span:
+    """What `KEY=LOW..HIGH[:COUNT][:log|:linear]` says; `count` where it says none."""
     found = _RANGE.fullmatch(given.strip())
     if found is None:
-        raise SceneError("--vary", given, text("wanted.range"))
-    count = 21 if found["count"] is None else int(found["count"])
+        raise SceneError(option, given, text("wanted.range"))
+    number = count if found["count"] is None else int(found["count"])
+    return Span(found["key"].strip(), float(found["low"]), float(found["high"]), number, found["spacing"])
+
+
+def parse_range(given: str) -> tuple[str, np.ndarray]:
+    """The key and the values of `KEY=LOW..HIGH[:COUNT][:log|:linear]`."""
+    span = read_span("--vary", given, 21)
     try:
-        values = spaced(float(found["low"]), float(found["high"]), count, found["spacing"])
+        return span.key, spaced(span.low, span.high, span.count, span.spacing)
     except SceneError as refused:
         raise SceneError(f"--vary {refused.key}", refused.value, refused.reason) from None
-    return found["key"].strip(), values
 
 
 def print_sweep(scene: solvers.Scene, vary: str, figures: list[str] | None, as_json: bool) -> int:

@@ -1,4 +1,4 @@
-"""The commands `impact ensemble` and `impact convergence`: how far to trust an impact."""
+"""The commands `impact ensemble`, `gradient` and `convergence`: how far to trust an impact, and what it follows."""
 
 import json
 from typing import Any
@@ -7,6 +7,7 @@ import solvers
 from solvers import SceneError
 from solvers.studies.convergence import convergence
 from solvers.studies.ensemble import ensemble
+from solvers.studies.gradient import USUAL, USUAL_KEY, gradient
 
 from .interrupts import interruptible
 from .words import text
@@ -35,6 +36,19 @@ def print_ensemble(scene: solvers.Scene, runs: str, spread: str, key: str | None
         raise
     print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else found)
     return 130 if interrupted() else 0
+
+
+def print_gradient(scene: solvers.Scene, of: list[str] | None, to: list[str] | None, as_json: bool) -> int:
+    """Print the derivatives of figures by keys as a table, or all that is known of them in JSON."""
+    options = {"figures": "--of", "to": "--to"}
+    try:
+        found = gradient(scene, of or USUAL, to or USUAL_KEY)
+    except SceneError as refused:
+        if refused.key in options:
+            raise SceneError(options[refused.key], refused.value, refused.reason) from None
+        raise
+    print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else found)
+    return 0
 
 
 def print_convergence(scene: solvers.Scene, lists: dict[str, str | None], as_json: bool) -> int:

@@ -9,7 +9,8 @@ from html import escape
 from typing import Any
 
 from ..text.catalogue import library, spoken
-from .words import family, listed, named, shown, text, vector
+from . import tables
+from .words import existing, family, listed, named, shown, text, vector
 
 Rows = Iterable[tuple[str, str]]
 
@@ -154,6 +155,27 @@ def ensemble_card(found: Any) -> str:
     return _card("ensemble", found.title, _table(heads, spreads) + _pairs(rows), [found.summary, *found.notes])
 
 
+def gradient_card(found: Any) -> str:
+    """Every derivative with its error and elasticity, or why there is none."""
+    derivatives = [
+        (
+            named("quantity", figure),
+            key,
+            existing(value, ".6g"),
+            found.unit[figure][key],
+            existing(found.error[figure][key], ".1e"),
+            existing(round(found.elasticity[figure][key], 9), "+.6g"),
+            str(found.why[figure][key] or ""),
+        )
+        for figure, by in found.value.items()
+        for key, value in by.items()
+    ]
+    name = family("card.name")
+    heads = _named(("figure", "varied", "derivative", "unit", "own-error", "elasticity", "why-not"))
+    rows = [(name["method"], _method(found.method)), (name["solves"], str(found.solves))]
+    return _card("gradient", found.title, _table(heads, derivatives) + _pairs(rows), found.notes)
+
+
 def convergence_card(found: Any) -> str:
     """Every figure at every level, and what becomes of it."""
     beside = found.reference_values or {}
@@ -192,6 +214,21 @@ def sweep_card(found: Any) -> str:
     heads = ("contacts", "seconds", "newton-seconds", "newtons", "metres-per-second", "restitution", "own-error")
     asked = (f"{name} [{unit}]" if unit else name for name, unit in found.asked.items())
     return _card("sweep", "", _table([found.key, *_named(heads), *asked], rows), [])
+
+
+def sought_card(found: Any) -> str:
+    """A row for each value of the key, and what is to be said besides."""
+    rows = [
+        (
+            _number(root.value),
+            _number(root.slope, unknown="-"),
+            _number(root.elasticity, unknown="-"),
+            " ".join(note.code for note in root.notes),
+        )
+        for root in found.roots
+    ]
+    said = [tables.sought_for(found), *tables.sought_beside(found), *found.notes]
+    return _card("seek", found.title, _table(tables.sought_heads(found), rows), said)
 
 
 def comparison_card(found: Any) -> str:

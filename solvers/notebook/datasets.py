@@ -11,6 +11,9 @@ True
 """
 
 import json
+import shutil
+from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,10 +22,18 @@ from ..provenance import version
 from .figures import PARTS, Figure, fields_of, histories_of, origin, reach
 
 try:
+    import pandas
+    import xarray
     from xarray import Dataset
 except ImportError as missing:
     raise ImportError("dataset() needs xarray: pip install 'strikewave[notebook]'") from missing
 
+NOT_SOLVED = "not-solved"  # of a point of a study that was interrupted
+WORDS = {  # of a point of a study
+    "refused": "code of the refusal; empty where it is solved",
+    "reason": "why it is refused",
+    "notes": "codes of its notes",
+}
 INSTANTS, PLACES = 401, 201  # enough to draw, and some 600 kB a field
 
 
@@ -80,3 +91,95 @@ def figures(found: Any, units: Any) -> Dataset:
     varied = {key: ("scene", values, {"units": found.units.get(key, "")}) for key, values in found.varied.items()}
     columns = {name: ("scene", values, about[name]) for name, values in found.columns.items()}
     return Dataset(columns, scene | varied, version_of)
+
+
+def study(design: Any, parts: Iterable[tuple[Any, Any]], figures: Any, units: Any, about: Any) -> Dataset:
+    """See `solvers.study`: of its parts, those that there are; `figures` and `units`: of figures and keys, by name."""
+    columns = np.full((len(figures), design.size), np.nan)
+    words = {name: np.full(design.size, "", object) for name in WORDS}
+    words["refused"][:] = NOT_SOLVED
+    for (start, stop), part in parts:
+        columns[:, start:stop] = part.figures.T
+        for name, array in words.items():
+            array[start:stop] = getattr(part, name)
+    dimensions, places = _places(design, units)
+    variables: dict[str, Any] = {
+        name: (dimensions, values.reshape(design.shape), {"units": unit, "long_name": name.replace("_", " ")})
+        for (name, unit), values in zip(figures.items(), columns, strict=True)
+    }
+    variables |= {
+        name: (dimensions, values.reshape(design.shape), {"long_name": WORDS[name]}) for name, values in words.items()
+    }
+    return Dataset(variables, places, about)
+
+
+def _places(design: Any, units: Any) -> tuple[tuple[str, ...], dict[str, Any]]:
+    """Dimensions, and coordinates of all keys along them."""
+    if design.sample != "grid":
+        rows = design.rows(0, design.size)
+        columns = zip(design.keys, zip(*rows, strict=True), strict=True)
+        places = {key: ("point", _values(column), {"units": units[key]}) for key, column in columns}
+        return ("point",), {"point": np.arange(design.size)} | places
+    places = {
+        key: (axis.name, _values(column), {"units": units[key]})
+        for axis in design.axes
+        for key, column in zip(axis.keys, zip(*axis.rows, strict=True), strict=True)
+    }
+    return tuple(axis.name for axis in design.axes), places
+
+
+def _values(column: Sequence[Any]) -> np.ndarray:
+    """Numbers, or words, which may be of any length."""
+    return np.array(column, object if any(isinstance(value, str) for value in column) else None)
+
+
+def write_study(found: Dataset, path: Path) -> None:
+    """As the ending of its name says; there wholly or not at all. Raises OSError where it cannot be written."""
+    written = path.with_name(f"{path.name}.new")
+    if path.suffix == ".nc":
+        found.to_netcdf(written)
+    elif path.suffix == ".zarr":
+        shutil.rmtree(written, ignore_errors=True)
+        found.to_zarr(written, mode="w", consolidated=False)
+    else:
+        rows = found.to_dataframe().reset_index()
+        if path.suffix == ".csv":
+            rows.to_csv(written, index=False)
+            path.with_name(f"{path.name}.json").write_text(json.dumps(found.attrs, indent=1), "utf-8")
+        else:
+            rows.attrs = dict(found.attrs)
+            rows.to_parquet(written, index=False)
+    written.replace(path)
+
+
+def read_study(path: Path) -> Dataset:
+    """What `write_study` wrote: with its dimensions from .nc and .zarr, along `point` from rows."""
+    if path.suffix == ".nc":
+        with xarray.open_dataset(path) as found:
+            return found.load()
+    if path.suffix == ".zarr":
+        found = xarray.open_zarr(path, chunks=None, consolidated=False)
+        words = {name: array.astype(object) for name, array in found.variables.items() if array.dtype.kind == "T"}
+        return found.assign(words)
+    rows = pandas.read_csv(path, keep_default_na=True) if path.suffix == ".csv" else pandas.read_parquet(path)
+    for name in WORDS:
+        rows[name] = rows[name].fillna("").astype(object)
+    about = study_in(path)
+    keys = [key for axis in json.loads(about["design"])["vary"] for key in axis["keys"]]
+    rows = rows.set_index("point") if "point" in rows else rows.rename_axis("point")
+    return Dataset.from_dataframe(rows).set_coords(keys).assign_attrs(about)
+
+
+def study_in(path: Path) -> dict[str, Any]:
+    """Which study a file is of: its attributes; none if it is of no study. Raises OSError where it cannot be read."""
+    try:
+        if path.suffix == ".csv":
+            return json.loads(path.with_name(f"{path.name}.json").read_text("utf-8"))
+        if path.suffix == ".parquet":
+            return {str(name): value for name, value in pandas.read_parquet(path, columns=[]).attrs.items()}
+        if path.suffix == ".zarr":
+            return dict(xarray.open_zarr(path, chunks=None, consolidated=False).attrs)
+        with xarray.open_dataset(path) as found:
+            return dict(found.attrs)
+    except (ValueError, KeyError, TypeError, FileNotFoundError):
+        return {}

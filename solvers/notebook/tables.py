@@ -6,7 +6,7 @@ from typing import Any
 
 from ..text.catalogue import library, spoken
 from .report import line, method_line, title_of
-from .words import family, listed, named, shown, text, vector
+from .words import existing, family, listed, named, shown, text, vector
 
 COLUMNS = {  # and how wide they are at least
     "contacts": 8,
@@ -45,6 +45,64 @@ def _line(row: dict[str, Any], width: int, sizes: list[int], asked: Iterable[str
     return "  ".join([f"  {shown(row['value'], '.8g'):>{width}}", *sized])
 
 
+def sought(found: Any) -> str:
+    """A line for each value of the key, then stretches, jumps, or what comes nearest."""
+    lines = [found.title or text("report.scene"), f"  {sought_for(found)}"]
+    if found.roots:
+        heads = sought_heads(found)
+        width = max(16, len(heads[0]))
+        sizes = [max(13, len(head)) for head in heads[1:3]]
+        head = "  ".join(head.rjust(size) for head, size in zip(heads, [width, *sizes], strict=False))
+        lines += ["", f"  {head}  {heads[3]}".rstrip()]
+        for root in found.roots:
+            cells = [(root.value, ".10g", width), (root.slope, ".6g", sizes[0]), (root.elasticity, ".4g", sizes[1])]
+            row = "  ".join(shown(value, form).rjust(size) for value, form, size in cells)
+            lines.append(f"  {row}  {' '.join(note.code for note in root.notes)}".rstrip())
+    beside = sought_beside(found)
+    lines += ["", *(f"  {each}" for each in beside)] if beside else []
+    return "\n".join([*lines, "", *("  " + text("report.note", note=note) for note in found.notes)])
+
+
+def sought_for(found: Any) -> str:
+    """What was asked, and how many values there are."""
+    low, high = shown(found.low, ".8g"), _valued(found.high, found.unit)
+    asked = {"figure": found.figure, "key": found.key, "method": found.method, "low": low, "high": high}
+    counts = {"roots": len(found.roots), "stretches": len(found.stretches)}
+    return text("seek.asked", wanted=_valued(found.wanted, found.figure_unit), **asked, **counts)
+
+
+def sought_heads(found: Any) -> list[str]:
+    """Of the key, the slope and the elasticity; of the warnings if there are some."""
+    over, under = (f"({unit})" if {"/", " "} & set(unit) else unit for unit in (found.figure_unit, found.unit))
+    over = f"{over or 1}/{under}" if under else found.figure_unit
+    return [
+        f"{found.key} [{found.unit}]" if found.unit else found.key,
+        text("seek.slope") + (f" [{over}]" if over else ""),
+        text("seek.elasticity"),
+        text("seek.notes") if any(root.notes for root in found.roots) else "",
+    ]
+
+
+def sought_beside(found: Any) -> list[str]:
+    """Stretches, jumps and what comes nearest, in words."""
+    wanted = _valued(found.wanted, found.figure_unit)
+    lines = [
+        text("seek.stretch", low=shown(low, ".8g"), high=_valued(high, found.unit)) for low, high in found.stretches
+    ]
+    for jump in found.jumps:
+        sides = {"below": shown(jump.below, ".6g"), "above": _valued(jump.above, found.figure_unit)}
+        lines.append(text("seek.jump", value=_valued(jump.value, found.unit), wanted=wanted, **sides))
+    if found.nearest is not None:
+        value, figure = found.nearest
+        there = {"value": _valued(value, found.unit), "found": _valued(figure, found.figure_unit)}
+        lines.append(text("seek.nearest", figure=found.figure, key=found.key, **there))
+    return lines
+
+
+def _valued(value: float, unit: str) -> str:
+    return shown(value, ".8g") + (f" {unit}" if unit else "")
+
+
 def ensemble(found: Any) -> str:
     """The spread of every figure, a line each, and what can be trusted."""
     columns = {"unperturbed": 14, "lowest": 14, "median": 14, "highest": 14, "half-range": 12, "sensitivity": 13}
@@ -71,6 +129,32 @@ def ensemble(found: Any) -> str:
         verdict = named("verdict", row.verdict.replace(" ", "-"))
         lines.append(f"  {name:{wide}}  {values}  {rest}  {verdict}")
     return "\n".join([*lines, "", str(found.summary), *(text("report.note", note=note) for note in found.notes)])
+
+
+def gradient(found: Any) -> str:
+    """A line for each figure and key, and why there is no derivative."""
+    solved = text("gradient.solved", method=found.method["name"], solves=found.solves, seconds=found.wall_time)
+    rows, why = [tuple(family("gradient.head").values())], []
+    for figure, by in found.value.items():
+        for key, value in by.items():
+            error, elasticity = found.error[figure][key], found.elasticity[figure][key]
+            cells = (
+                existing(value, ".7g"),
+                found.unit[figure][key],
+                existing(error, ".1e"),
+                existing(round(elasticity, 9), "+.6g"),
+            )
+            rows.append((named("quantity", figure), key, *cells))
+            if (note := found.why[figure][key]) is not None:
+                why.append(f"{named('quantity', figure)}, {key}: {note}")
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    sides = "<<><>>"
+    lines = [
+        "  " + "  ".join(f"{cell:{side}{width}}" for cell, side, width in zip(row, sides, widths, strict=True)).rstrip()
+        for row in rows
+    ]
+    notes = [*why, *(text("report.note", note=note) for note in found.notes)]
+    return "\n".join([found.title or text("report.scene"), f"  {solved}", "", *lines, *([""] if notes else []), *notes])
 
 
 def convergence(found: Any) -> str:

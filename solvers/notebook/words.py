@@ -1,5 +1,6 @@
 """What is printed of results, by the codes below `printed` in `solvers/text/*/`."""
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -27,6 +28,11 @@ def shown(value: Any, form: str) -> str:
     if value is None:
         return "-"
     return value if isinstance(value, str) else written(value, form, spoken())
+
+
+def existing(value: float, form: str) -> str:
+    """A number in this form, a dash for one that does not exist."""
+    return "-" if math.isnan(value) else shown(value + 0.0, form)
 
 
 def vector(values: Sequence[float], form: str = ".6g") -> str:

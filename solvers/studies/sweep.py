@@ -18,11 +18,11 @@ from ..numerics.waves import rigid_figures
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
-from ..solve import read_method, solve
+from ..solve import solve
 from ..validation import SceneError, allowed
 from .figures import FIGURES, LOOKED_FOR, Figures, asked_for, figures_of
 from .mass_ratios import TERMS
-from .varied import unit_of
+from .varied import takes_whole_numbers, unit_of, with_values
 
 MOST_VALUES = 2_000
 MOST_QUICK = 1_000_000  # of impacts of a mass on a rod
@@ -84,12 +84,12 @@ def _varied(
     arrays = {key: _numbers(key, values) for key, values in columns.items()}
     _check_columns(arrays)
     units = {key: unit_of(scene, key) for key in arrays}
-    if _quick(scene, method, names) and set(arrays) <= QUICK_KEYS and scene.impactor.kind == "mass":
+    if quick_columns(scene, arrays, method, names):
         bodies = _bodies_of_columns(scene, arrays)
-        found = _impacts_on_rods(bodies, lambda row: _with(scene, _row_of(arrays, row)), workers, names)
+        found = _impacts_on_rods(bodies, lambda row: with_values(scene, _row_of(arrays, row)), workers, names)
         return Figures(found, arrays, units)
     rows = zip(*(values.tolist() for values in arrays.values()), strict=True)
-    scenes = [_with(scene, dict(zip(arrays, row, strict=True))) for row in rows]
+    scenes = [with_values(scene, dict(zip(arrays, row, strict=True))) for row in rows]
     return Figures(_solved(scenes, method, workers, names), arrays, units)
 
 
@@ -113,6 +113,11 @@ def _quick(scene: Scene, method: str | Method | None, figures: Sequence[str]) ->
     name = scene.method.get("name", Waves.NAME) if method is None else method
     options = scene.method.keys() - {"name"} if method is None else ()
     return name in ("waves", Waves()) and not options and one_front(scene)
+
+
+def quick_columns(scene: Scene, keys: Iterable[str], method: str | Method | None, figures: Sequence[str]) -> bool:
+    """Whether scenes that differ by these keys are not looked at one by one."""
+    return _quick(scene, method, figures) and set(keys) <= QUICK_KEYS and scene.impactor.kind == "mass"
 
 
 def _numbers(key: str, values: Any) -> np.ndarray:
@@ -151,7 +156,7 @@ def _bodies_of_columns(scene: Scene, columns: Mapping[str, np.ndarray]) -> np.nd
     bad = [np.flatnonzero(~np.isfinite(values))[:1] for values in looked_at]
     rows = {int(row) for values in looked_at for row in (np.nanargmin(values), np.nanargmax(values))}
     for row in sorted(rows.union(*(found.tolist() for found in bad))):
-        _with(scene, _row_of(columns, row))
+        with_values(scene, _row_of(columns, row))
     held = np.full(size, 1.0 if rod.fixed else -1.0)
     return np.stack((mass, speed, rod_mass, area * (rod.impedance / rod.area), 2.0 * length / rod.wave_speed, held))
 
@@ -280,15 +285,15 @@ def sweep(
     """
     scene = scene_of(scene)
     more = () if figures is None else asked_for(figures)
-    quick = _quick(scene, None, more) and key in QUICK_KEYS and scene.impactor.kind == "mass"
+    quick = quick_columns(scene, [key], None, more)
     validation.whole_number("number of values", len(values), 1, MOST_QUICK if quick else MOST_VALUES)
     values = [validation.number(key, value, -math.inf, math.inf) for value in _numbers(key, values).tolist()]
     if quick:
         found = solve_many(scene, {key: values}, workers=workers)
         return Sweep(key, _rows(values, found, more), found.units[key], more)
-    if _takes_whole_numbers(scene, key, values[0]):
+    if takes_whole_numbers(scene, key, values[0]):
         values = list(dict.fromkeys(round(value) for value in values))
-    scenes = [_with(scene, {key: value}) for value in values]  # all are read before any is solved
+    scenes = [with_values(scene, {key: value}) for value in values]  # all are read before any is solved
     first = _row(values[0], solve(scenes[0]), more)  # alone: if kernels must be compiled, then once
     rows = Sweep(key, [first], unit_of(scene, key), more)
 
@@ -316,26 +321,6 @@ def _rows(values: list[float], found: Figures, more: Sequence[str]) -> list[dict
         }
         for row, value in enumerate(values)
     ]
-
-
-def _with(scene: Scene, changes: Mapping[str, float]) -> Scene:
-    changed = scene.replace(changes)
-    read_method(changed.method, changed)
-    return changed
-
-
-def _takes_whole_numbers(scene: Scene, key: str, value: float) -> bool:
-    """Whether the key refuses a fraction and takes the whole number next to it."""
-    for tried, refused in ((value, True), (round(value), False)):
-        try:
-            _with(scene, {key: tried})
-        except SceneError:
-            if not refused:
-                return False
-        else:
-            if refused:
-                return False
-    return True
 
 
 def _row(value: float, solution: Solution, more: Sequence[str]) -> dict[str, Any]:

@@ -1,9 +1,12 @@
-"""Units of the values that scenes differ by."""
+"""Keys that scenes differ by: their units, and what numbers they take."""
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
 from ..scene import Scene
-from ..validation import SceneError
+from ..solve import read_method
+from ..validation import SceneError, allowed
 
 
 def unit_of(scene: Scene, key: str) -> str:
@@ -14,3 +17,41 @@ def unit_of(scene: Scene, key: str) -> str:
         unit = refused.reason.values.get("unit", "none")
         return "" if unit == "none" else str(unit)
     return ""
+
+
+def with_values(scene: Scene, changes: Mapping[str, Any]) -> Scene:
+    """The scene with other values, whose method exists with its options. Raises SceneError naming the key."""
+    changed = scene.replace(changes)
+    read_method(changed.method, changed)
+    return changed
+
+
+def takes_whole_numbers(scene: Scene, key: str, value: float) -> bool:
+    """Whether the key refuses a fraction and takes the whole number next to it."""
+    for tried, refused in ((value, True), (round(value), False)):
+        try:
+            with_values(scene, {key: tried})
+        except SceneError:
+            if not refused:
+                return False
+        else:
+            if refused:
+                return False
+    return True
+
+
+def value_of(scene: Scene, key: str) -> Any:
+    """What a key of the scene holds, as given or as it follows. Raises SceneError if nothing is there."""
+    for tables in (scene.given, scene.table()):
+        found: Any = tables
+        for name in key.split("."):
+            if isinstance(found, Mapping):
+                found = found.get(name)
+            elif isinstance(found, (list, tuple)) and name.isdecimal() and 1 <= int(name) <= len(found):
+                found = found[int(name) - 1]
+            else:
+                found = None
+        if found is not None:
+            return found
+    scene.replace({key: math.nan})  # refused: what is allowed
+    raise SceneError(key, None, allowed("differentiable"))

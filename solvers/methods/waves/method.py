@@ -134,17 +134,23 @@ class Waves(Method):
             shown = min(max([history.contacts[-1].end, *closing]) / trip + AFTERGLOW, history.reach)
         wall_time = clock() - begun
         motion = ChainMotion(history)
-        found = summary(scene, motion, history.contacts, trip * shown, wall_time)
-        diagnostics = found["diagnostics"]
-        residual = abs(diagnostics["energy_error"]) + abs(diagnostics["momentum_error"])
-        diagnostics["steps"] = history.steps
-        diagnostics["estimated_error"] = history.estimated_error(
-            residual, abs(diagnostics["momentum_error"]), tolerance
-        )
-        if history.doubtful:
-            left = history.energy_left(history.reach) * scene.initial_energy - found["energy"]["impactor"]
-            still = {"energy": found["energy"] | {"target_vibration": min(found["energy"]["target_vibration"], left)}}
-            diagnostics["estimated_error"] += may_gain(scene, found | still, End.MAY_TOUCH)
+
+        def figures() -> dict[str, Any]:
+            found = summary(scene, motion, history.contacts, trip * shown, wall_time)
+            diagnostics = found["diagnostics"]
+            residual = abs(diagnostics["energy_error"]) + abs(diagnostics["momentum_error"])
+            diagnostics["steps"] = history.steps
+            diagnostics["estimated_error"] = history.estimated_error(
+                residual, abs(diagnostics["momentum_error"]), tolerance
+            )
+            if history.doubtful:
+                left = history.energy_left(history.reach) * scene.initial_energy - found["energy"]["impactor"]
+                still = {
+                    "energy": found["energy"] | {"target_vibration": min(found["energy"]["target_vibration"], left)}
+                }
+                diagnostics["estimated_error"] += may_gain(scene, found | still, End.MAY_TOUCH)
+            return found
+
         return Solution(
             scene=scene,
             method=self.table(),
@@ -156,7 +162,7 @@ class Waves(Method):
             residual_indentation=history.dent(),
             joints=joints,
             notes=history.notes(),
-            **found,
+            **later(figures),
         )
 
 

@@ -8,6 +8,10 @@ KEYS = {
     "scene", "method", "contacts", "contact_time", "impulse", "peak_force", "peak_indentation", "residual_indentation",
     "peaks", "impactor", "target", "restitution", "energy", "diagnostics", "duration", "notes", "note_codes",
 }  # fmt: skip
+SOUGHT = {  # with --find
+    "method", "key", "unit", "low", "high", "figure", "figure_unit", "wanted", "roots", "stretches", "jumps", "nearest",
+    "samples", "refused", "notes", "note_codes",
+}  # fmt: skip
 
 
 def answer(capsys, *arguments: str) -> str:

@@ -9,6 +9,7 @@ import pytest
 
 import solvers
 from solvers.accuracy.quantities import QUANTITIES
+from solvers.studies.figures import FIGURES
 from solvers.text.catalogue import CHOSEN
 
 from ...patience import SECONDS
@@ -30,11 +31,18 @@ CALLS = """\
 solve fixed-rod
 solve brick-off-centre
 solve four-bar
+solve fixed-rod --find impactor.mass=-1..3:20 --such-that contacts=1.5
+solve fixed-rod --find impactor.mass=1..3:20 --such-that impactor_velocity=-0.9
+solve fixed-rod --find impactor.mass=1..3:20 --such-that contacts=2
 plan fixed-rod
 bounce bouncing-ball
 sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
+study fixed-rod --vary impactor.velocity=0.5..1.5:2 --vary contact.law=rigid,velvet
+study fixed-rod --vary impactor.velocity
+study fixed-rod
 convergence fixed-rod --modes 2,4,8,16
 ensemble fixed-rod --runs 10
+gradient fixed-rod
 stability fixed-rod --grid 2x2 --modes 4
 tradeoff fixed-rod --stored
 joints bent-rods
@@ -50,6 +58,9 @@ nowhere
 solve
 solve fixed-rod --bogus
 solve fixed-rod --set
+solve fixed-rod --find impactor.mass=1..2
+solve fixed-rod --such-that contacts=2
+solve fixed-rod --find impactor.mass=1..2 --such-that contacts
 solve fixed-rod --json=3
 tradeoff fixed-rod --s
 --help
@@ -59,6 +70,7 @@ KEYS = {
     *solvers.METHODS,
     *solvers.LAWS,
     *QUANTITIES,
+    *FIGURES,
     "MPa",
     "newmark",
     "structural",
@@ -68,13 +80,17 @@ KEYS = {
     "restitution",
     "impact",
     "scene",
-    *("modes", "frame", "residual", "True", "crank", "coupler", "bar"),
+    *("modes", "frame", "residual", "True", "crank", "coupler", "bar", "contacts"),
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
+    *("study", "velvet"),
     *(
         "plan",
         "joints",
+        "gradient",
+        "FIGURE",
+        "KEY",
         "lesson",
         "check",
         "new",
@@ -86,6 +102,8 @@ TYPED = {  # in a call, as it stands
         "COMMAND",
         "FILE",
         "VALUE",
+        "COUNT",
+        "log",
         "SCENE",
         "LANGUAGE",
     ),

@@ -3,6 +3,7 @@
 import json
 
 import pytest
+from pytest import approx
 
 from tests.app.command.calls import answer, refusal
 from tests.app.command.interrupted import interrupted
@@ -113,3 +114,14 @@ def test_bad_counts_are_refused_in_one_line(capsys, arguments, said):
 
 def test_convergence_of_what_modes_cannot_solve_is_refused(capsys):
     assert "method.name" in refusal(capsys, "convergence", "split-hopkinson")
+
+
+def test_derivatives_print_as_a_table_and_as_json(capsys):
+    found = json.loads(
+        answer(capsys, "gradient", "fixed-rod", "--of", "peak_force", "--to", "impactor.velocity", "--json")
+    )
+    assert found["elasticity"]["peak_force"]["impactor.velocity"] == approx(1.0)
+    printed = answer(capsys, "gradient", "fixed-rod", "--of", "peak_force", "impulse", "--to", "impactor.mass")
+    assert "impulse" in printed.splitlines()[5]
+    assert "--of: got 'weight'" in refusal(capsys, "gradient", "fixed-rod", "--of", "weight")
+    assert "--to: got 'method.modes'" in refusal(capsys, "gradient", "fixed-rod", "--to", "method.modes")

@@ -21,7 +21,7 @@ WIDE, PHONE = (1440, 900), (390, 844)
 
 
 def ask(page, question: str) -> None:
-    """Two clicks: a ready-made comparison, answered. The list closes where a page that is laid out anew takes the focus,
+    """Two clicks: a ready-made comparison, answered. The list closes where a page that is laid out takes the focus,
     as may happen on a busy machine: then it is opened again."""
     for patience in (5_000, 5_000, 30_000):
         page.tab.get_by_role("button", name="Compare", exact=True).click()

@@ -94,8 +94,13 @@ def test_files_that_do_not_exist(name):
     assert "fixed-rod" in refused.value.allowed or "file" in refused.value.allowed
 
 
-TAKE_SCENES = {  # by name: what else each needs
-    name: {"values": [1.0], "key": "impactor.mass"} if name == "sweep" else {}
+NEEDED = {  # besides the scene
+    "sweep": {"values": [1.0], "key": "impactor.mass"},
+    "seek": {"key": "impactor.mass", "between": (1.0, 2.0), "such_that": {"peak_force": 1.0}},
+    "study": {"vary": {"impactor.mass": [1.0]}},
+}
+TAKE_SCENES = {
+    name: NEEDED.get(name, {})
     for name in solvers.__all__
     if inspect.isfunction(getattr(solvers, name))
     and {"scene", "scenes"} & {next(iter(inspect.signature(getattr(solvers, name)).parameters), "")}

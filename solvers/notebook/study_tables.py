@@ -1,0 +1,97 @@
+"""A study in a few lines: how far its figures reach and where, what was refused, and what is to be known."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .words import shown, text
+
+WORDS = ("refused", "reason", "notes")
+NOT_SOLVED = "not-solved"
+
+
+def summary(found: Any) -> dict[str, Any]:
+    """Of a Dataset of `solvers.study`, as plain tables: numbers of points; refusals and notes by code; the lowest and
+    the highest value of each figure, with the values of the keys there."""
+    refused = found.refused.values.ravel()
+    codes, first, counts = np.unique(refused.astype(str), return_index=True, return_counts=True)
+    by_code = {code: (int(where), int(count)) for code, where, count in zip(codes, first, counts, strict=True)}
+    solved = by_code.pop("", (0, 0))[1]
+    waiting = by_code.pop(NOT_SOLVED, (0, 0))[1]
+    reasons = found.reason.values.ravel()
+    notes: dict[str, int] = {}
+    for said in found.notes.values.ravel().tolist():
+        for code in said.split():
+            notes[code] = notes.get(code, 0) + 1
+    return {
+        "points": refused.size,
+        "solved": solved,
+        "refused": refused.size - solved - waiting,
+        "waiting": waiting,
+        "figures": dict(_reaches(found)),
+        "refusals": [
+            {"code": code, "points": count, "at": _at(found, where), "reason": str(reasons[where])}
+            for code, (where, count) in sorted(by_code.items(), key=lambda each: -each[1][1])
+        ],
+        "notes": dict(sorted(notes.items(), key=lambda each: -each[1])),
+    }
+
+
+def _reaches(found: Any) -> Iterator[tuple[str, dict[str, Any]]]:
+    for name, array in found.data_vars.items():
+        values = array.values.ravel()
+        if name in WORDS or np.isnan(values).all():
+            continue
+        ends = {"lowest": int(np.nanargmin(values)), "highest": int(np.nanargmax(values))}
+        reach = {end: {"value": float(values[where]), "at": _at(found, where)} for end, where in ends.items()}
+        yield str(name), {"unit": array.attrs.get("units", "")} | reach
+
+
+def _at(found: Any, point: int) -> dict[str, Any]:
+    """The values of all keys at a point."""
+    sizes = found.refused.shape
+    places = dict(zip(found.refused.dims, np.unravel_index(point, sizes), strict=True))
+    return {
+        str(key): np.asarray(array.values[places[array.dims[0]]]).item()
+        for key, array in found.coords.items()
+        if key != "point"
+    }
+
+
+def rows(found: Any) -> list[dict[str, Any]]:
+    """A table for each point: its keys, its figures (None where there is none), and words."""
+    columns = {name: array.values.ravel() for name, array in found.data_vars.items()}
+    return [
+        _at(found, point) | {str(name): _plain(values[point]) for name, values in columns.items()}
+        for point in range(found.refused.size)
+    ]
+
+
+def _plain(value: Any) -> Any:
+    value = np.asarray(value).item()
+    return None if isinstance(value, float) and not np.isfinite(value) else value
+
+
+def lines(found: Any, known: dict[str, Any]) -> str:
+    """What `summary` knows, to read."""
+    sizes = " x ".join(f"{name} {size}" for name, size in found.sizes.items())
+    counts = {name: known[name] for name in ("points", "solved", "refused", "waiting")}
+    said = [text("study.points", sizes=sizes, **counts), ""]
+    names = {name: f"{name} [{each['unit']}]" if each["unit"] else name for name, each in known["figures"].items()}
+    wide = max([0, *map(len, names.values())])
+    for name, each in known["figures"].items():
+        for head, end in ((names[name], each["lowest"]), ("", each["highest"])):
+            value = shown(end["value"], ".6g")
+            said.append(f"  {head:{wide}}  {value:>12}  " + text("study.at", at=_said(end["at"])))
+    said += [""] if known["refusals"] or known["notes"] else []
+    for each in known["refusals"]:
+        said.append("  " + text("study.refused", points=each["points"], at=_said(each["at"]), reason=each["reason"]))
+    said += ["  " + text("study.noted", code=code, points=count) for code, count in known["notes"].items()]
+    return "\n".join(said)
+
+
+def _said(at: dict[str, Any]) -> str:
+    return ", ".join(
+        f"{key}={value:.6g}" if isinstance(value, float) else f"{key}={value}" for key, value in at.items()
+    )

@@ -1,0 +1,130 @@
+"""Who solves the points of a study: processes of this machine, any of which may be killed."""
+
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+
+from threadpoolctl import threadpool_limits
+
+from ...text.notes import Note, Severity
+from .design import Design
+from .work import Part, Work, crashed, joined
+
+SECONDS = 0.5  # that a part is to take
+LARGEST = 20_000  # points of a part
+GROWTH = 8  # from a part to the next, at most
+AHEAD = 2  # parts for each worker that are under way
+LOOK = 0.2  # s between looks at whether it is cancelled
+PARENT = 1.0  # s between looks at whether there still is one
+
+Span = tuple[int, int]  # of points, from the first up to the second
+
+
+class Processes:
+    """As many as are asked for; those that come after some have ended are new ones."""
+
+    def __init__(self, workers: int):
+        self.workers = workers
+        self.pool: Executor = self._new(workers)
+
+    def _new(self, workers: int) -> Executor:
+        # A copy of this process is there at once, and asks nothing of the script that calls.
+        context = multiprocessing.get_context("fork" if sys.platform == "linux" else None)
+        return ProcessPoolExecutor(workers, context, _begin, (os.getpid(),))
+
+    def submit(self, work: Work, rows: list) -> "Future[Part]":
+        """Begin one part."""
+        return self.pool.submit(work, rows)
+
+    def renew(self) -> None:
+        """Others in place of those that have ended."""
+        self.pool.shutdown(wait=False, cancel_futures=True)
+        self.pool = self._new(self.workers)
+
+    def alone(self, work: Work, rows: list) -> Part | None:
+        """In a process of its own; None if that ends before it is done."""
+        with self._new(1) as pool:
+            try:
+                return pool.submit(work, rows).result()
+            except BrokenProcessPool:
+                return None
+
+    def close(self) -> None:
+        self.pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _begin(parent: int) -> None:
+    """Of a worker: interrupts are heard by the one that began it, and without that one there is nothing to do."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threadpool_limits(1, user_api="blas")
+
+    def look() -> None:
+        while os.getppid() == parent:
+            time.sleep(PARENT)
+        os._exit(1)
+
+    threading.Thread(target=look, daemon=True).start()
+
+
+class Spans:
+    """What is left to do, in pieces of the size that is asked for."""
+
+    def __init__(self, left: Iterable[Span]):
+        self.left = list(left)[::-1]
+
+    def take(self, size: int) -> Span | None:
+        """The next, of at most so many points."""
+        if not self.left:
+            return None
+        start, stop = self.left.pop()
+        if stop - start > size:
+            self.left.append((start + size, stop))
+            stop = start + size
+        return start, stop
+
+
+def solved(
+    work: Work, design: Design, left: Iterable[Span], crew: Processes, cancelled: Callable[[], bool]
+) -> Iterator[tuple[Span, Part]]:
+    """Each part as it is done. The first is one point, alone: what must be compiled is compiled once."""
+    spans, size, running = Spans(left), 1, {}
+    most = 1
+    while True:
+        while len(running) < most and not cancelled():
+            span = spans.take(size)
+            if span is None:
+                break
+            running[crew.submit(work, design.rows(*span))] = span
+        if not running:
+            return
+        done, _ = wait(running, LOOK, FIRST_COMPLETED)
+        for future in done:
+            try:
+                part = future.result()
+            except BrokenProcessPool:
+                broken, running = list(running.values()), {}
+                crew.renew()
+                for span in broken:
+                    yield span, _with_care(work, design, span, crew)
+                break
+            span, most = running.pop(future), AHEAD * crew.workers
+            size = max(1, min(int(SECONDS * part.size / max(part.seconds, 1e-6)), GROWTH * part.size, LARGEST))
+            yield span, part
+
+
+def _with_care(work: Work, design: Design, span: Span, crew: Processes) -> Part:
+    """A part of which a process may have ended: smaller and smaller, until the point is known at which it does."""
+    start, stop = span
+    part = crew.alone(work, design.rows(start, stop))
+    if part is not None:
+        return part
+    if stop - start == 1:
+        return crashed(work.figures, str(Note("refusals.crashed", Severity.REFUSAL)))
+    middle = (start + stop) // 2
+    return joined([_with_care(work, design, half, crew) for half in ((start, middle), (middle, stop))])

@@ -1,0 +1,92 @@
+"""The points of a study: each value with each of the others', or drawn by chance."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ... import validation
+from ...scene import Scene
+from ...validation import SceneError, allowed
+from .axes import Axis, axes_of
+
+SAMPLES = ("grid", "random", "lhs", "sobol")
+MOST_POINTS = 10_000_000  # whose figures are held all at once, in some 2 GB
+USUAL_DRAWN = 1_000
+
+
+@dataclass(frozen=True)
+class Design:
+    """Points, numbered from 0 on; on a grid the last axis runs first."""
+
+    axes: tuple[Axis, ...]
+    sample: str
+    size: int
+    seed: int | None = None  # of what is drawn
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """All that are varied."""
+        return tuple(key for axis in self.axes for key in axis.keys)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the arrays of results."""
+        return tuple(len(axis.rows) for axis in self.axes) if self.sample == "grid" else (self.size,)
+
+    def rows(self, start: int, stop: int) -> list[tuple[Any, ...]]:
+        """The values of all keys at the points from `start` on, up to `stop`."""
+        if self.sample != "grid":
+            drawn = self._drawn
+            return [sum((column[point] for column in drawn), ()) for point in range(start, stop)]
+        places = np.unravel_index(np.arange(start, stop), self.shape)
+        columns = [
+            [axis.rows[place] for place in found.tolist()] for axis, found in zip(self.axes, places, strict=True)
+        ]
+        return [sum(row, ()) for row in zip(*columns, strict=True)]
+
+    @cached_property
+    def _drawn(self) -> list[list[tuple[Any, ...]]]:
+        """Of each axis the values at every point."""
+        from scipy.stats import qmc
+
+        count = len(self.axes)
+        if self.sample == "random":
+            shares = np.random.default_rng(self.seed).random((self.size, count))
+        elif self.sample == "lhs":
+            shares = qmc.LatinHypercube(count, rng=self.seed).random(self.size)
+        else:
+            whole = qmc.Sobol(count, rng=self.seed).random_base2(max(0, math.ceil(math.log2(self.size))))
+            shares = whole[: self.size]
+        return [axis.at(shares[:, number]) for number, axis in enumerate(self.axes)]
+
+    def table(self) -> dict[str, Any]:
+        """As plain lists and words: what makes another design of it."""
+        return {
+            "vary": [axis.table() for axis in self.axes],
+            "sample": self.sample,
+            "points": self.size,
+            "seed": self.seed,
+        }
+
+
+def design_of(scene: Scene, vary: Mapping[Any, Any], sample: str | None, points: int | None, seed: int) -> Design:
+    """Of `study`'s arguments. Raises SceneError for those that do not fit together, or give too many points."""
+    seed = validation.whole_number("seed", seed, 0, 2**32 - 1)
+    sample = validation.choice("sample", sample or ("grid" if points is None else "lhs"), SAMPLES)
+    axes = axes_of(scene, vary, sample != "grid")
+    if sample != "grid":
+        points = USUAL_DRAWN if points is None else points
+        return Design(axes, sample, validation.whole_number("points", points, 1, MOST_POINTS), seed)
+    if points is not None:
+        raise SceneError("points", points, allowed("points-of-grid"))
+    drawn = next((axis for axis in axes if axis.law), None)
+    if drawn is not None and drawn.law is not None:
+        raise SceneError(drawn.name, drawn.law.text, allowed("drawn-samples", options=list(SAMPLES[1:])))
+    size = math.prod(len(axis.rows) for axis in axes)
+    if size > MOST_POINTS:
+        raise SceneError("vary", f"{size:.3g} points", allowed("study-points", most=MOST_POINTS))
+    return Design(axes, sample, size)

@@ -1,0 +1,101 @@
+"""Parts of a study that are done, kept in a folder beside its file until all are: it goes on from there."""
+
+import json
+import os
+import shutil
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...validation import SceneError, allowed
+from .crew import Span
+from .work import Part
+
+ABOUT = "about.json"
+NAME = "{:012d}-{:012d}.npz"  # first point, and the first after it
+ARRAYS = ("figures", "refused", "reason", "notes")
+
+
+class Parts:
+    """Those of one study. Each is a file of its own, which is there wholly or not at all."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+
+    def begin(self, about: Mapping[str, Any], resume: bool) -> None:
+        """Raises SceneError where parts of another study are there, or of this one, which is not to go on."""
+        known = self.folder / ABOUT
+        if known.exists():
+            if not resume:
+                raise SceneError("out", str(self.folder), allowed("new-study"))
+            same_study(json.loads(known.read_text("utf-8")), about, str(self.folder))
+            return
+        self.folder.mkdir(parents=True, exist_ok=True)
+        written = self.folder / f"{ABOUT}.new"
+        written.write_text(json.dumps(about), "utf-8")
+        written.replace(known)
+
+    def keep(self, span: Span, part: Part) -> None:
+        """Raises OSError where nothing can be written."""
+        path = self.folder / NAME.format(*span)
+        written = path.with_suffix(f".{os.getpid()}")
+        try:
+            with written.open("wb") as file:
+                np.savez(file, **{name: getattr(part, name) for name in ARRAYS})
+            written.replace(path)
+        except OSError:
+            written.unlink(missing_ok=True)
+            raise
+
+    def spans(self) -> list[Span]:
+        """Of all that are there, in order."""
+        names = sorted(path.stem for path in self.folder.glob("*-*.npz"))
+        return [(int(start), int(stop)) for start, _, stop in (name.partition("-") for name in names)]
+
+    def read(self) -> Iterator[tuple[Span, Part]]:
+        """All that are there, one at a time."""
+        for span in self.spans():
+            with np.load(self.folder / NAME.format(*span)) as found:
+                yield span, Part(*(found[name] for name in ARRAYS))
+
+    def end(self) -> None:
+        """All is in its file now."""
+        shutil.rmtree(self.folder)
+
+
+class Held:
+    """The same in memory, for a study without a file."""
+
+    def __init__(self):
+        self.found: dict[Span, Part] = {}
+
+    def begin(self, about: Mapping[str, Any], resume: bool) -> None:
+        """Nothing is there before."""
+
+    def keep(self, span: Span, part: Part) -> None:
+        self.found[span] = part
+
+    def spans(self) -> list[Span]:
+        return sorted(self.found)
+
+    def read(self) -> Iterator[tuple[Span, Part]]:
+        yield from sorted(self.found.items())
+
+    def end(self) -> None:
+        """Nothing is there after."""
+
+
+def left_of(size: int, done: list[Span]) -> list[Span]:
+    """What is between these spans, which are in order, of so many points."""
+    ends = [0, *(stop for _, stop in done)]
+    starts = [*(start for start, _ in done), size]
+    return [(end, start) for end, start in zip(ends, starts, strict=True) if end < start]
+
+
+def same_study(before: Mapping[str, Any], now: Mapping[str, Any], where: str) -> None:
+    """Raises SceneError with what differs."""
+    differs = [name for name in now if before.get(name) != now[name]]
+    if differs:
+        raise SceneError("resume", where, allowed("same-study", differs=differs))

@@ -1,0 +1,158 @@
+"""One scene over many values of its keys, as labelled arrays that say where they come from."""
+
+import json
+import time
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from ... import validation
+from ...methods.base import Method, never
+from ...numerics.processors import MOST, processors
+from ...provenance import version
+from ...scenes.library import SceneOrName, scene_of, to_toml
+from ...validation import SceneError, allowed
+from ..figures import FIGURES, asked_for
+from ..varied import unit_of
+from .crew import Processes, solved
+from .design import Design, design_of
+from .parts import Held, Parts, left_of, same_study
+from .work import Work
+
+ENDINGS = {".nc": "", ".zarr": "zarr", ".parquet": "pyarrow", ".csv": ""}  # with the package that each needs
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a study is."""
+
+    done: int  # points, those of before among them
+    resumed: int  # that were there already
+    points: int  # in all
+    seconds: float  # since it has begun
+
+    @property
+    def left(self) -> float | None:
+        """Seconds that the rest will take, as it goes; None before it is known."""
+        fresh = self.done - self.resumed
+        return (self.points - self.done) * self.seconds / fresh if fresh else None
+
+
+def study(
+    scene: SceneOrName,
+    vary: Mapping[Any, Any],
+    *,
+    sample: str | None = None,
+    points: int | None = None,
+    seed: int = 0,
+    method: str | Method | None = None,
+    figures: Sequence[str] | None = None,
+    notes: bool = True,
+    out: str | Path | None = None,
+    resume: bool = False,
+    workers: int | None = None,
+    progress: Callable[[Progress], Any] | None = None,
+    cancelled: Callable[[], bool] = never,
+) -> Any:
+    """The figures of a scene at many points of its values, as an xarray.Dataset.
+
+    `vary`: by key an array or list of numbers or words, "LOW..HIGH:COUNT[:log]", or a distribution to draw from:
+    "normal(mean, deviation)", "uniform", "loguniform", "triangular(low, mode, high)", "lognormal(median, deviation)",
+    "5%" about the scene's own value, or a frozen one of `scipy.stats`. Keys with commas between them are varied
+    together. Any key of a scene file: bodies, materials, laws, methods. `sample`: "grid", each with each; or `points`
+    of them "random", "lhs" (the usual one) or "sobol", from `seed` on.
+    Variables: `figures` (those of `Figures` that cost nothing, unless they are named), NaN where there is none;
+    `refused`, the code of a refusal, and `reason`, its sentence; `notes`, codes with spaces between; `notes=False`:
+    they are not looked for, and a rigid mass on one rod takes 20 microseconds. Dimensions: the keys, or `point`.
+    Attributes: what makes another study of it. No point is left out, whatever it raises, or if it ends its process.
+    `out`: a file .nc, .zarr, .parquet or .csv; what is done is kept beside it in `OUT.parts`, from where it goes on
+    with `resume`. `workers`: processes, one on each processor unless it says otherwise; no result hangs on that.
+    `cancelled()` true: what is left is refused as "not-solved". At most 1e7 points.
+    Raises SceneError naming what cannot be: ranges, distributions, files of another study; OSError where nothing can
+    be written; ImportError without the extra `notebook`. Cost: the solves, shared by the workers.
+    """
+    from ...notebook import datasets  # loads xarray, which nothing else here needs
+
+    scene = scene_of(scene)
+    design = design_of(scene, vary, sample, points, seed)
+    names = asked_for(figures)
+    work = Work(scene, design.keys, names, method, notes)
+    workers = processors() if workers is None else validation.whole_number("workers", workers, 1, MOST)
+    path = None if out is None else file_of(out)
+    if resume and path is None:
+        raise SceneError("resume", True, allowed("with-file"))
+    about = _about(work, design)
+    if path is not None and path.exists():
+        same_study(datasets.study_in(path), about, str(path)) if resume else _refuse(path)
+        if progress is not None:
+            progress(Progress(design.size, design.size, design.size, 0.0))
+        return datasets.read_study(path)
+    parts = Held() if path is None else Parts(path.with_name(f"{path.name}.parts"))
+    parts.begin(about, resume)
+    _finish(work, design, parts, workers, cancelled, progress)
+    units = {key: unit_of(scene, key) for key in design.keys}
+    kinds = {name: FIGURES[name][0] for name in names}
+    found = datasets.study(design, parts.read(), kinds, units, about)
+    if path is not None and not left_of(design.size, parts.spans()):
+        datasets.write_study(found, path)
+        parts.end()
+    return found
+
+
+def _finish(
+    work: Work,
+    design: Design,
+    parts: Parts | Held,
+    workers: int,
+    cancelled: Callable[[], bool],
+    progress: Callable[[Progress], Any] | None,
+) -> None:
+    """Solve and keep what is not there yet."""
+    begun, there = time.perf_counter(), parts.spans()
+    done = resumed = sum(stop - start for start, stop in there)
+
+    def report() -> None:
+        if progress is not None:
+            progress(Progress(done, resumed, design.size, time.perf_counter() - begun))
+
+    report()
+    if done == design.size:
+        return
+    with closing(Processes(min(workers, design.size - done))) as crew:
+        for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled):
+            parts.keep((start, stop), part)
+            done += stop - start
+            report()
+
+
+def file_of(out: str | Path) -> Path:
+    """Where it is written. Raises SceneError for what can be no such file."""
+    path = Path(out)
+    if path.suffix not in ENDINGS:
+        raise SceneError("out", str(out), allowed("study-file", options=list(ENDINGS)))
+    package = ENDINGS[path.suffix]
+    if package and find_spec(package) is None:
+        raise SceneError("out", str(out), allowed("study-package", package=package))
+    if not path.parent.is_dir():
+        raise SceneError("out", str(out), allowed("study-folder"))
+    return path
+
+
+def _refuse(path: Path) -> None:
+    raise SceneError("out", str(path), allowed("new-study"))
+
+
+def _about(work: Work, design: Design) -> dict[str, Any]:
+    """What makes another study of it, as plain tables."""
+    method = work.method.table() if isinstance(work.method, Method) else work.method
+    return {
+        "scene": to_toml(work.scene),
+        "design": json.dumps(design.table()),
+        "method": json.dumps(method),
+        "figures": " ".join(work.figures),
+        "notes": "looked for" if work.notes else "not looked for",
+        "version": f"Strikewave {version()}",
+    }

@@ -1,0 +1,98 @@
+"""What is done at the points of a study, in whichever process: figures, notes, or why there are none."""
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...methods.base import Method
+from ...scene import Scene
+from ...solution.solution import Solution
+from ...solve import chosen_method
+from ...validation import SceneError, allowed
+from ..figures import figures_of
+from ..sweep import quick_columns, solve_many
+
+FAILED, CRASHED = "failed", "crashed"  # beside the codes of refusals
+
+
+@dataclass(frozen=True)
+class Part:
+    """Of points that follow each other: figures (points, figures), NaN where there is none, and words (points,)."""
+
+    figures: np.ndarray
+    refused: np.ndarray  # code of the refusal; empty where it is solved
+    reason: np.ndarray  # its sentence
+    notes: np.ndarray  # codes of the notes, with spaces between
+    seconds: float = 0.0  # that it took
+
+    @property
+    def size(self) -> int:
+        return len(self.figures)
+
+
+@dataclass(frozen=True)
+class Work:
+    """Solves the scene with rows of values for its keys."""
+
+    scene: Scene
+    keys: tuple[str, ...]
+    figures: tuple[str, ...]
+    method: str | Method | None
+    notes: bool  # whether they are looked for
+
+    def __call__(self, rows: Sequence[tuple[Any, ...]]) -> Part:
+        """Of each row; nothing that it raises ends the study."""
+        begun = time.perf_counter()
+        found = self._quick(rows)
+        if found is None:
+            solved = [self._solved(row) for row in rows]
+            figures, refused, reason, notes = zip(*solved, strict=True)
+            found = Part(np.array(figures, float), np.array(refused), np.array(reason), np.array(notes))
+        return Part(found.figures, found.refused, found.reason, found.notes, time.perf_counter() - begun)
+
+    def _quick(self, rows: Sequence[tuple[Any, ...]]) -> Part | None:
+        """All at once, where that can be done and each of them is allowed."""
+        if self.notes or not quick_columns(self.scene, self.keys, self.method, self.figures):
+            return None
+        columns = dict(zip(self.keys, zip(*rows, strict=True), strict=True))
+        try:
+            found = solve_many(self.scene, columns, self.method, 1, self.figures).columns
+        except SceneError:
+            return None
+        nothing = np.full(len(rows), "")
+        return Part(np.stack([found[name] for name in self.figures], 1).astype(float), nothing, nothing, nothing)
+
+    def _solved(self, row: tuple[Any, ...]) -> tuple[list[float], str, str, str]:
+        try:
+            solution = self._solve(dict(zip(self.keys, row, strict=True)))
+            found = [np.nan if value is None else float(value) for value in figures_of(solution, self.figures)]
+            codes = [note.code for note in solution.notes] if self.notes else []
+        except SceneError as refused:
+            return [np.nan] * len(self.figures), refused.reason.code, str(refused), ""
+        except Exception as error:  # the others are to be solved all the same
+            said = f"{type(error).__name__}: {error}"[:300]
+            return [np.nan] * len(self.figures), FAILED, said, ""
+        return found, "", "", " ".join(dict.fromkeys(codes))
+
+    def _solve(self, changes: dict[str, Any]) -> Solution:
+        scene = self.scene.replace(changes)
+        if scene.normal is not None:
+            raise SceneError("scene", scene.title, allowed("scenes-on-axis"))
+        method, duration = chosen_method(scene, self.method)
+        if not self.notes and "estimated_error" not in self.figures:
+            method = method.without_estimate()
+        return method.solve_in_full(scene, duration)
+
+
+def crashed(figures: Sequence[str], reason: str) -> Part:
+    """Of a point whose process ended."""
+    return Part(np.full((1, len(figures)), np.nan), np.array([CRASHED]), np.array([reason]), np.array([""]))
+
+
+def joined(parts: Sequence[Part]) -> Part:
+    """All in one."""
+    arrays = ([getattr(part, name) for part in parts] for name in ("figures", "refused", "reason", "notes"))
+    return Part(*map(np.concatenate, arrays), seconds=sum(part.seconds for part in parts))
