@@ -121,9 +121,9 @@ def _spread(scene: Scene, keys: tuple[str, ...], given: str, drawn: bool) -> Axi
         value, part = number_of(scene, keys[0]), 0.01 * validation.number(keys[0], float(share["percent"]), 1e-9, 1e3)
         return Axis(keys, law=_chance(keys[0], "uniform", [value - part * abs(value), value + part * abs(value)]))
     law = LAW.fullmatch(given)
-    if law is None:
+    if law is None and ".." not in given and not given.endswith("%"):
         return None
-    if law["name"] not in LAWS:
+    if law is None or law["name"] not in LAWS:
         raise SceneError(keys[0], given, allowed("distribution", options=list(LAWS)))
     try:
         numbers = [float(each) for each in law["numbers"].split(",")]

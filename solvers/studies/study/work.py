@@ -1,7 +1,7 @@
 """What is done at the points of a study, in whichever process: figures, notes, or why there are none."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -42,6 +42,11 @@ class Work:
     figures: tuple[str, ...]
     method: str | Method | None
     notes: bool  # whether they are looked for
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """To another process the scene goes as tables, of which `Scene.replace` makes others here, too."""
+        tables = self.scene.given or self.scene.table()
+        return _read, (tables, self.keys, self.figures, self.method, self.notes)
 
     def __call__(self, rows: Sequence[tuple[Any, ...]]) -> Part:
         """Of each row; nothing that it raises ends the study."""
@@ -85,6 +90,10 @@ class Work:
         if not self.notes and "estimated_error" not in self.figures:
             method = method.without_estimate()
         return method.solve_in_full(scene, duration)
+
+
+def _read(tables: Mapping[str, Any], *others: Any) -> Work:
+    return Work(Scene.from_table(tables), *others)
 
 
 def crashed(figures: Sequence[str], reason: str) -> Part:

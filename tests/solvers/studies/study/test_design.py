@@ -115,6 +115,8 @@ def test_whole_numbers_are_drawn_whole():
         ({"impactor.velocity": []}, None, None, "values with commas"),
         ({"impactor.velocity": "1,,2"}, None, None, "values with commas"),
         ({"impactor.velocity": "(1,2"}, None, None, "values with commas"),
+        ({"impactor.velocity": "1..3:4:cubic"}, None, None, "LOW..HIGH[:COUNT]"),
+        ({"impactor.velocity": "x%"}, "lhs", 3, "LOW..HIGH[:COUNT]"),
         ({"impactor.velocity": "3..1:4"}, None, None, "impactor.velocity"),
         ({"impactor.velocity": "1..3:1"}, None, None, "whole number from 2"),
         ({"impactor.velocity": "-1..3:4:log"}, None, None, "above zero"),

@@ -179,6 +179,30 @@ def test_killed_in_the_middle_nothing_is_lost_and_no_worker_stays(tmp_path):
     assert (found.refused == "").all() and not parts.exists()
 
 
+@pytest.mark.parametrize("name", ["four-bar", "newtons-cradle", "drop-test", "bent-rods", "hammer-on-cantilever"])
+def test_scenes_of_every_kind_go_to_other_processes(name):
+    found = study(name, {"impactor.velocity": [0.9, 1.1]}, figures=["impactor_velocity"], workers=1)
+    for speed in (0.9, 1.1):
+        solution = solvers.solve(solvers.load(name).replace({"impactor.velocity": speed}))
+        assert float(found.impactor_velocity.sel({"impactor.velocity": speed})) == solution.impactor_velocity
+
+
+def test_parts_that_are_damaged_are_named(tmp_path):
+    parts, path = tmp_path / "map.nc.parts", tmp_path / "map.nc"
+    vary = {"impactor.velocity": [1.0, 2.0]}
+    parts.mkdir()
+    (parts / "about.json").write_text("{")
+    with pytest.raises(SceneError, match="differs in: scene, design"):
+        study("fixed-rod", vary, out=path, resume=True)
+    (parts / "about.json").unlink()
+    (parts / "notes-of-mine.npz").write_text("no part")
+    (parts / f"{0:012d}-{1:012d}.npz").write_text("nor this")
+    with pytest.raises(SceneError, match="delete this one"):
+        study("fixed-rod", vary, out=path, resume=True)
+    (parts / f"{0:012d}-{1:012d}.npz").unlink()
+    assert (study("fixed-rod", vary, out=path, resume=True).refused == "").all()
+
+
 def test_a_full_disk_ends_it_and_keeps_what_is_there(tmp_path, monkeypatch):
     path, keep, kept = tmp_path / "map.nc", Parts.keep, []
 
