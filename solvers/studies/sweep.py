@@ -20,7 +20,7 @@ from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..solve import solve
 from ..validation import SceneError, allowed
-from .figures import FIGURES, LOOKED_FOR, Figures, asked_for, figures_of
+from .figures import FIGURES, USUAL, Figures, asked_for, figures_of
 from .mass_ratios import TERMS
 from .varied import takes_whole_numbers, unit_of, with_values
 
@@ -108,7 +108,7 @@ def _solved(
 
 def _quick(scene: Scene, method: str | Method | None, figures: Sequence[str]) -> bool:
     """Whether the exact waves of a rigid mass on one rod are wanted, until the bodies part for good, and no fields."""
-    if not LOOKED_FOR.keys().isdisjoint(figures):
+    if not USUAL.keys() >= set(figures):
         return False
     name = scene.method.get("name", Waves.NAME) if method is None else method
     options = scene.method.keys() - {"name"} if method is None else ()
