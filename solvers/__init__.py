@@ -58,6 +58,7 @@ from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
+from .studies.optimum import Optimum, optimise
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
 from .studies.study.study import study
@@ -93,6 +94,7 @@ __all__ = [
     "ModeSwitch",
     "Motion",
     "Multibody",
+    "Optimum",
     "Plan",
     "QuasiStatic",
     "RegimeMap",
@@ -124,6 +126,7 @@ __all__ = [
     "gradient",
     "joint_scattering",
     "load",
+    "optimise",
     "plan",
     "read_method",
     "records",

@@ -38,7 +38,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def print_study(scene: solvers.Scene, options: Namespace) -> int:
     """Solve it, and print how far its figures reach; after an interrupt what is solved by then."""
     methods = [] if options.method is None else [f"method.name={options.method}"]
-    vary = _vary([*options.vary, *options.distribution, *methods])
+    vary = vary_of([*options.vary, *options.distribution, *methods])
     last = Progress(0, 0, 0, 0.0)
 
     def progress(now: Progress) -> None:
@@ -52,13 +52,13 @@ def print_study(scene: solvers.Scene, options: Namespace) -> int:
                 scene,
                 vary,
                 sample=options.sample,
-                points=_whole("--points", options.points),
-                seed=_whole("--seed", options.seed) or 0,
+                points=whole("--points", options.points),
+                seed=whole("--seed", options.seed) or 0,
                 figures=options.figure,
                 notes=not options.no_notes,
                 out=options.out,
                 resume=options.resume,
-                workers=_whole("--workers", options.workers),
+                workers=whole("--workers", options.workers),
                 progress=progress,
                 cancelled=interrupted,
             )
@@ -90,7 +90,7 @@ def _show(now: Progress) -> None:
         print(f"\r\033[K{line}" if now.done < now.points else "\r\033[K", end="", file=sys.stderr, flush=True)
 
 
-def _vary(given: Sequence[str]) -> dict[str, str]:
+def vary_of(given: Sequence[str]) -> dict[str, str]:
     """By key, or keys with commas between them, what is said of it. Raises SceneError for a key that is given twice."""
     found: dict[str, str] = {}
     for each in given:
@@ -105,7 +105,8 @@ def _vary(given: Sequence[str]) -> dict[str, str]:
     return found
 
 
-def _whole(name: str, word: str | None) -> int | None:
+def whole(name: str, word: str | None) -> int | None:
+    """The number of an option that takes whole ones."""
     try:
         return None if word is None else int(word)
     except ValueError:
