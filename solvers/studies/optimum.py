@@ -28,7 +28,7 @@ SHARE = 0.85  # of the solves, in which all of the range is searched; the rest i
 PEOPLE = 12  # candidates for each key, at least
 CLOSE = 1e-3  # of a bound: so near to it a limit decides
 BOUND = re.compile(r"\s*(?P<figure>\w+)\s*(?P<sign><=|>=)\s*(?P<value>[^\s<>=]+)\s*")
-LARGE = 1e300  # in place of infinity, of which searches make nothing
+LARGE = 1e100  # in place of infinity, of which searches make nothing; its square is a number
 
 
 @dataclass(frozen=True)
