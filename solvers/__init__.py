@@ -62,6 +62,7 @@ from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
 from .studies.study.study import study
 from .studies.sweep import solve_many, sweep
+from .studies.uncertain import Uncertain, uncertain
 from .validation import SceneError
 
 __version__ = release()
@@ -111,6 +112,7 @@ __all__ = [
     "Stability",
     "TradeOff",
     "TradeOffPoint",
+    "Uncertain",
     "Wall",
     "Waveguide",
     "Waves",
@@ -139,5 +141,6 @@ __all__ = [
     "sweep",
     "to_toml",
     "tradeoff",
+    "uncertain",
     "usual_method",
 ]

@@ -40,6 +40,7 @@ sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
 study fixed-rod --vary impactor.velocity=0.5..1.5:2 --vary contact.law=rigid,velvet
 study fixed-rod --vary impactor.velocity
 study fixed-rod
+uncertain fixed-rod --tolerance impactor.mass=5% --points 9 --figure impulse --figure contacts
 convergence fixed-rod --modes 2,4,8,16
 ensemble fixed-rod --runs 10
 gradient fixed-rod
@@ -84,7 +85,7 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
-    *("study", "velvet"),
+    *("study", "velvet", "uncertain"),
     *(
         "plan",
         "joints",
