@@ -40,7 +40,7 @@ sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
 study fixed-rod --vary impactor.velocity=0.5..1.5:2 --vary contact.law=rigid,velvet
 study fixed-rod --vary impactor.velocity
 study fixed-rod
-uncertain fixed-rod --tolerance impactor.mass=5% --points 9 --figure impulse --figure contacts
+uncertain fixed-rod --tolerance impactor.mass=uniform(1,3) --points 9 --figure impulse --figure contacts
 convergence fixed-rod --modes 2,4,8,16
 ensemble fixed-rod --runs 10
 gradient fixed-rod
