@@ -60,6 +60,7 @@ from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
+from .studies.study.plot import plot_study
 from .studies.study.study import study
 from .studies.sweep import solve_many, sweep
 from .studies.uncertain import Uncertain, uncertain
@@ -127,6 +128,7 @@ __all__ = [
     "joint_scattering",
     "load",
     "plan",
+    "plot_study",
     "read_method",
     "records",
     "reference",

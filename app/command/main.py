@@ -18,6 +18,7 @@ from solvers.jit.shortcuts import shorten
 
 from .lesson import add_commands as add_lesson_commands
 from .parser import Parser, Refused
+from .plot import add_command as add_plot_command
 from .seek import add_arguments as add_seek_arguments
 from .seek import print_sought, turned_round
 from .serve import add_arguments as add_serve_arguments
@@ -98,6 +99,7 @@ def _parser() -> argparse.ArgumentParser:
     _scene_command(
         commands, "uncertain", text("help.uncertain.about"), uncertain.add_arguments, uncertain.print_uncertain
     )
+    add_plot_command(commands)
     _bounce_command(commands)
     _ensemble_command(commands)
     _gradient_command(commands)

@@ -145,16 +145,16 @@ def _finish(
             report()
 
 
-def file_of(out: str | Path) -> Path:
+def file_of(out: str | Path, option: str = "out") -> Path:
     """Where it is written. Raises SceneError for what can be no such file."""
     path = Path(out)
     if path.suffix not in ENDINGS:
-        raise SceneError("out", str(out), allowed("study-file", options=list(ENDINGS)))
+        raise SceneError(option, str(out), allowed("study-file", options=list(ENDINGS)))
     package = ENDINGS[path.suffix]
     if package and find_spec(package) is None:
-        raise SceneError("out", str(out), allowed("study-package", package=package))
+        raise SceneError(option, str(out), allowed("study-package", package=package))
     if not path.parent.is_dir():
-        raise SceneError("out", str(out), allowed("study-folder"))
+        raise SceneError(option, str(out), allowed("study-folder"))
     return path
 
 
