@@ -10,7 +10,7 @@ from solvers import SceneError
 
 from .words import text
 
-PAGE = "<!DOCTYPE html>\n<meta charset='utf-8'>\n<title>{title}</title>"
+PAGE = "<!DOCTYPE html><meta charset='utf-8'><title>{title}</title>"
 
 
 def add_command(commands: Any) -> None:
