@@ -61,8 +61,10 @@ from .studies.gradient import Gradient, gradient
 from .studies.optimum import Optimum, optimise
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
+from .studies.study.plot import plot_study
 from .studies.study.study import study
 from .studies.sweep import solve_many, sweep
+from .studies.uncertain import Uncertain, uncertain
 from .validation import SceneError
 
 __version__ = release()
@@ -113,6 +115,7 @@ __all__ = [
     "Stability",
     "TradeOff",
     "TradeOffPoint",
+    "Uncertain",
     "Wall",
     "Waveguide",
     "Waves",
@@ -128,6 +131,7 @@ __all__ = [
     "load",
     "optimise",
     "plan",
+    "plot_study",
     "read_method",
     "records",
     "reference",
@@ -142,5 +146,6 @@ __all__ = [
     "sweep",
     "to_toml",
     "tradeoff",
+    "uncertain",
     "usual_method",
 ]

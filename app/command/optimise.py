@@ -7,7 +7,7 @@ import solvers
 from solvers import SceneError
 
 from .interrupts import interruptible
-from .study import vary_of, whole
+from .study import by_key, whole
 from .words import text
 
 OPTIONS = {"minimise": "--minimise", "maximise": "--maximise", "such_that": "--such-that", "solves": "--solves"}
@@ -33,7 +33,7 @@ def print_optimum(scene: solvers.Scene, options: Namespace) -> int:
         try:
             found = solvers.optimise(
                 scene,
-                vary_of(options.vary),
+                by_key("--vary", options.vary),
                 minimise=options.minimise,
                 maximise=options.maximise,
                 such_that=options.such_that,

@@ -38,13 +38,13 @@ def add_arguments(parser: ArgumentParser) -> None:
 def print_study(scene: solvers.Scene, options: Namespace) -> int:
     """Solve it, and print how far its figures reach; after an interrupt what is solved by then."""
     methods = [] if options.method is None else [f"method.name={options.method}"]
-    vary = vary_of([*options.vary, *options.distribution, *methods])
+    vary = by_key("--vary", [*options.vary, *options.distribution, *methods])
     last = Progress(0, 0, 0, 0.0)
 
     def progress(now: Progress) -> None:
         nonlocal last
         last = now
-        _show(now)
+        show(now)
 
     with interruptible() as interrupted:
         try:
@@ -82,7 +82,7 @@ def _print(found: Any, last: Progress, out: str | None, as_json: bool) -> None:
     print(json.dumps(known, indent=1, allow_nan=False))
 
 
-def _show(now: Progress) -> None:
+def show(now: Progress) -> None:
     """On a terminal, how far it is."""
     if sys.stderr.isatty():
         known = {"known": now.left is not None, "left": now.left or 0.0}
@@ -90,23 +90,23 @@ def _show(now: Progress) -> None:
         print(f"\r\033[K{line}" if now.done < now.points else "\r\033[K", end="", file=sys.stderr, flush=True)
 
 
-def vary_of(given: Sequence[str]) -> dict[str, str]:
+def by_key(option: str, given: Sequence[str]) -> dict[str, str]:
     """By key, or keys with commas between them, what is said of it. Raises SceneError for a key that is given twice."""
     found: dict[str, str] = {}
     for each in given:
         key, equals, said = each.partition("=")
         if not equals or not key.strip() or not said.strip():
-            raise SceneError("--vary", each, text("wanted.study"))
+            raise SceneError(option, each, text("wanted.study"))
         if key.strip() in found:
-            raise SceneError("--vary", each, text("wanted.one-value", before=repr(found[key.strip()])))
+            raise SceneError(option, each, text("wanted.one-value", before=repr(found[key.strip()])))
         found[key.strip()] = said
     if not found:
-        raise SceneError("--vary", None, text("wanted.study"))
+        raise SceneError(option, None, text("wanted.study"))
     return found
 
 
 def whole(name: str, word: str | None) -> int | None:
-    """The number of an option that takes whole ones."""
+    """Of an option. Raises SceneError for another word."""
     try:
         return None if word is None else int(word)
     except ValueError:

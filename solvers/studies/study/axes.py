@@ -44,6 +44,11 @@ class Axis:
         """That of the dimension: its first key."""
         return self.keys[0]
 
+    @property
+    def words(self) -> str:
+        """What is said of its values."""
+        return self.law.text if self.law else ", ".join(str(row[0] if len(set(row)) == 1 else row) for row in self.rows)
+
     def at(self, shares: np.ndarray) -> list[tuple[Any, ...]]:
         """A row for each share from 0 to 1 of what is to come before it."""
         if self.law is None:
@@ -153,7 +158,7 @@ def _range(scene: Scene, keys: tuple[str, ...], span: re.Match[str], drawn: bool
 def _chance(key: str, name: str, numbers: list[float], given: str | None = None) -> Chance:
     from scipy import stats  # half a second, which nothing else here needs
 
-    text = given or f"{name}({', '.join(f'{number:.17g}' for number in numbers)})"
+    text = given or f"{name}({', '.join(map(repr, numbers))})"
     above = {"normal": numbers[1:], "loguniform": numbers, "lognormal": numbers}.get(name, [1.0])  # zero
     fits = len(numbers) == len(LAWS[name]) and all(map(math.isfinite, numbers)) and min(above) > 0.0
     if name not in ("normal", "lognormal"):

@@ -76,11 +76,10 @@ def study(
     """
     from ...notebook import datasets  # loads xarray, which nothing else here needs
 
-    scene = scene_of(scene)
+    scene, workers = scene_of(scene), crew_size(workers)
     design = design_of(scene, vary, sample, points, seed)
     names = asked_for(figures)
     work = Work(scene, design.keys, names, method, notes)
-    workers = processors() if workers is None else validation.whole_number("workers", workers, 1, MOST)
     path = None if out is None else file_of(out)
     if resume and path is None:
         raise SceneError("resume", True, allowed("with-file"))
@@ -93,13 +92,31 @@ def study(
     parts = Held() if path is None else Parts(path.with_name(f"{path.name}.parts"))
     parts.begin(about, resume)
     _finish(work, design, parts, workers, cancelled, progress)
-    units = {key: unit_of(scene, key) for key in design.keys}
-    kinds = {name: FIGURES[name][0] for name in names}
-    found = datasets.study(design, parts.read(), kinds, units, about)
+    found = _dataset(work, design, parts, about)
     if path is not None and not left_of(design.size, parts.spans()):
         datasets.write_study(found, path)
         parts.end()
     return found
+
+
+def crew_size(workers: int | None) -> int:
+    """How many processes: one on each processor unless it is given. Raises SceneError for what is no such number."""
+    return processors() if workers is None else validation.whole_number("workers", workers, 1, MOST)
+
+
+def points_of(work: Work, design: Design, workers: int, progress: Callable[[Progress], Any] | None = None) -> Any:
+    """The Dataset of a design, all of it solved, in memory alone."""
+    parts = Held()
+    _finish(work, design, parts, workers, never, progress)
+    return _dataset(work, design, parts, _about(work, design))
+
+
+def _dataset(work: Work, design: Design, parts: Parts | Held, about: dict[str, Any]) -> Any:
+    from ...notebook import datasets
+
+    units = {key: unit_of(work.scene, key) for key in design.keys}
+    kinds = {name: FIGURES[name][0] for name in work.figures}
+    return datasets.study(design, parts.read(), kinds, units, about)
 
 
 def _finish(
@@ -128,16 +145,16 @@ def _finish(
             report()
 
 
-def file_of(out: str | Path) -> Path:
+def file_of(out: str | Path, option: str = "out") -> Path:
     """Where it is written. Raises SceneError for what can be no such file."""
     path = Path(out)
     if path.suffix not in ENDINGS:
-        raise SceneError("out", str(out), allowed("study-file", options=list(ENDINGS)))
+        raise SceneError(option, str(out), allowed("study-file", options=list(ENDINGS)))
     package = ENDINGS[path.suffix]
     if package and find_spec(package) is None:
-        raise SceneError("out", str(out), allowed("study-package", package=package))
+        raise SceneError(option, str(out), allowed("study-package", package=package))
     if not path.parent.is_dir():
-        raise SceneError("out", str(out), allowed("study-folder"))
+        raise SceneError(option, str(out), allowed("study-folder"))
     return path
 
 

@@ -11,6 +11,7 @@ from ...methods.base import Method
 from ...scene import Scene
 from ...solution.solution import Solution
 from ...solve import chosen_method
+from ...text.notes import Severity
 from ...validation import SceneError, allowed
 from ..figures import figures_of
 from ..sweep import quick_columns, solve_many
@@ -42,6 +43,7 @@ class Work:
     figures: tuple[str, ...]
     method: str | Method | None
     notes: bool  # whether they are looked for
+    trusted: bool = False  # figures of which a note says that they are not to be trusted stand as refused
 
     def __reduce__(self) -> tuple[Any, ...]:
         """To another process the scene goes as tables, of which `Scene.replace` makes others here, too."""
@@ -74,13 +76,16 @@ class Work:
         try:
             solution = self._solve(dict(zip(self.keys, row, strict=True)))
             found = [np.nan if value is None else float(value) for value in figures_of(solution, self.figures)]
-            codes = [note.code for note in solution.notes] if self.notes else []
+            codes = " ".join(dict.fromkeys(note.code for note in solution.notes)) if self.notes else ""
+            wrong = [note for note in solution.notes if note.severity is Severity.INVALID] if self.trusted else []
         except SceneError as refused:
             return [np.nan] * len(self.figures), refused.reason.code, str(refused), ""
         except Exception as error:  # the others are to be solved all the same
             said = f"{type(error).__name__}: {error}"[:300]
             return [np.nan] * len(self.figures), FAILED, said, ""
-        return found, "", "", " ".join(dict.fromkeys(codes))
+        if wrong:
+            return [np.nan] * len(self.figures), wrong[0].code, str(wrong[0]), codes
+        return found, "", "", codes
 
     def _solve(self, changes: dict[str, Any]) -> Solution:
         scene = self.scene.replace(changes)
