@@ -11,6 +11,7 @@ from solvers import SceneError
 from .words import text
 
 PAGE = "<!DOCTYPE html><meta charset='utf-8'><title>{title}</title>"
+WIDEST, HEIGHT = 1_100, 480  # px of a single picture, which is as wide as its window
 
 
 def add_command(commands: Any) -> None:
@@ -49,11 +50,15 @@ def print_plot(options: Namespace) -> int:
 def _write(drawn: Any, title: str, out: Path) -> None:
     """All scripts are in the file, those of Bokeh alone. Raises OSError where it cannot be written."""
     from bokeh.embed import components
+    from bokeh.models import Plot
     from bokeh.resources import Resources
 
     from solvers.notebook.plots import rendered
 
-    begin, place = components(rendered(drawn), wrap_script=False)
+    shown = rendered(drawn)
+    if isinstance(shown, Plot):
+        shown.update(sizing_mode="stretch_width", max_width=WIDEST, height=HEIGHT)
+    begin, place = components(shown, wrap_script=False)
     scripts = [*Resources(mode="inline", components=["bokeh"]).js_raw, begin]
     page = "\n".join([PAGE.format(title=escape(title)), place, *(f"<script>{each}</script>" for each in scripts)])
     out.write_text(page, "utf-8")
