@@ -1,5 +1,6 @@
 """Who solves the points of a study: a cluster of Dask, or processes of this machine that stand for one."""
 
+import asyncio
 import logging
 import pickle
 import re
@@ -7,9 +8,10 @@ import signal
 import socket
 import time
 from collections.abc import Iterator
-from concurrent.futures import Future
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from functools import cache
+from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 from urllib.parse import urlsplit
@@ -23,7 +25,7 @@ from ...validation import SceneError, allowed
 from .work import Part, Work
 
 REACH = 4.0  # s for the machine of the scheduler to answer
-GREET = 8.0  # s for the scheduler to do so
+GREET = 5.0  # s for the scheduler to do so
 COUNT = 1.0  # s between counts of workers
 LEAVE = 60.0  # s, at most, for parts that were cancelled to end
 LOOK = 0.05  # s between looks at whether they have
@@ -192,21 +194,33 @@ def _reached(said: str) -> Any:
         raise SceneError("cluster", said, allowed("cluster", most=MOST))
     try:
         socket.create_connection((host, port), REACH).close()
+        with ThreadPoolExecutor(1) as pool:  # as this thread may have a loop of its own, in a notebook
+            pool.submit(asyncio.run, _greeted(said)).result()
         return Client(said, timeout=GREET, set_as_default=False, name=NAME)
     except Exception as error:  # whatever a server says that is another one
         raise SceneError("cluster", said, allowed("cluster-answers", why=_said(error))) from None
+
+
+async def _greeted(address: str) -> None:
+    """Raises OSError or TimeoutError where it is not Dask that answers: a client would wait for ever."""
+    from distributed import Security
+    from distributed.comm import connect
+
+    found = await asyncio.wait_for(connect(address, **Security().get_connection_args("client")), GREET)
+    await found.close()
 
 
 def _said(answer: Any) -> str:
     """A version, or in one line why there is none."""
     if isinstance(answer, str):
         return answer
-    return f"{type(answer).__name__}: {answer}".partition("\n")[0][:200]
+    return f"{type(answer).__name__}: {answer}".partition("\n")[0][:200].rstrip(": ")
 
 
 @contextmanager
 def _quiet() -> Iterator[None]:
     """Dask logs nothing meanwhile: what is to be known is raised."""
+    import_module("distributed")  # which sets up its loggers
     names = [name for name in logging.root.manager.loggerDict if name.partition(".")[0] == "distributed"]
     before = {handler: handler.level for name in names for handler in logging.getLogger(name).handlers}
     for handler in before:
