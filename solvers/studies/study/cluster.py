@@ -21,6 +21,7 @@ from threadpoolctl import threadpool_limits
 
 from ...numerics.processors import MOST
 from ...provenance import version
+from ...text.notes import Note
 from ...validation import SceneError, allowed
 from .work import Part, Work
 
@@ -61,7 +62,7 @@ class Cluster:
         """Raises SceneError for a worker of another version, or without the library."""
         for worker, there in self.client.run(_version(), on_error="return").items():
             if there != self.here:
-                raise self._refused("cluster-version", here=self.here, there=_said(there), worker=worker)
+                raise self._refused(allowed("cluster-version", here=self.here, there=_said(there), worker=worker))
 
     def submit(self, work: Work, rows: list) -> "Future[Part]":
         """Begin one part. What its worker refuses is a SceneError."""
@@ -83,22 +84,24 @@ class Cluster:
         """What has come of a part, as it is on the cluster."""
         from distributed import CancelledError
 
+        answer: Any = None
+        error: BaseException | None = None
         try:
-            answer, error = await sent, None
+            answer = await sent
         except self.broken as ended:
-            answer, error = None, ended
+            error = ended
         except CancelledError:  # by nobody here: then `found` is cancelled
-            answer, error = None, self._refused("cluster-lost")
+            error = self._refused(allowed("cluster-lost"))
         except Exception as failed:
-            answer, error = None, self._refused("cluster-loads", why=_said(failed))
-        if isinstance(answer, tuple):
+            error = self._refused(allowed("cluster-loads", why=_said(failed)))
+        if error is None and not isinstance(answer, Part):
             there, worker = answer
-            error = self._refused("cluster-version", here=self.here, there=there, worker=worker)
+            error = self._refused(allowed("cluster-version", here=self.here, there=there, worker=worker))
         if found.set_running_or_notify_cancel():
             found.set_result(answer) if error is None else found.set_exception(error)
 
-    def _refused(self, code: str, **values: Any) -> SceneError:
-        return SceneError("cluster", self.address, allowed(code, **values))
+    def _refused(self, reason: Note) -> SceneError:
+        return SceneError("cluster", self.address, reason)
 
     def renew(self) -> None:
         """Nothing is under way any more, so that what runs next is alone. Dask itself begins workers again."""
@@ -159,19 +162,19 @@ def _given(client: Any) -> Any:
 
 def _local(said: str, stack: ExitStack) -> Any:
     """A client of new processes, which nobody else can reach from another machine."""
-    import dask
+    from dask.config import set as configured
     from distributed import Client, LocalCluster
 
     count = int(said.partition(":")[2])
     if not 1 <= count <= MOST:
         raise SceneError("cluster", said, allowed("cluster", most=MOST))
     # A process that ends has been ended by its point, as it has in `Processes`; pages are for those who ask for them.
-    with dask.config.set({"distributed.scheduler.allowed-failures": 0, "distributed.scheduler.http.routes": []}):
+    with configured({"distributed.scheduler.allowed-failures": 0, "distributed.scheduler.http.routes": []}):
         cluster = LocalCluster(
             n_workers=count,
             threads_per_worker=1,
             host="127.0.0.1",
-            dashboard_address=None,
+            dashboard_address=None,  # pyright: ignore[reportArgumentType]
             scheduler_kwargs={"dashboard_address": "127.0.0.1:0"},
             memory_limit=0,
             silence_logs=logging.CRITICAL,
@@ -204,7 +207,7 @@ def _reached(said: str) -> Any:
 async def _greeted(address: str) -> None:
     """Raises OSError or TimeoutError where it is not Dask that answers: a client would wait for ever."""
     from distributed import Security
-    from distributed.comm import connect
+    from distributed.comm.core import connect
 
     found = await asyncio.wait_for(connect(address, **Security().get_connection_args("client")), GREET)
     await found.close()

@@ -30,7 +30,10 @@ Span = tuple[int, int]  # of points, from the first up to the second
 class Crew(Protocol):
     """Processes that solve parts, wherever they are."""
 
-    broken: tuple[type[BaseException], ...]  # what a part raises whose process has ended
+    @property
+    def broken(self) -> tuple[type[BaseException], ...]:
+        """What a part raises whose process has ended."""
+        ...
 
     @property
     def workers(self) -> int:
