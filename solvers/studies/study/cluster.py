@@ -61,7 +61,7 @@ class Cluster:
     def check(self) -> None:
         """Raises SceneError for a worker of another version, or without the library."""
         for worker, there in self.client.run(_version(), on_error="return").items():
-            if there != self.here:
+            if there != self.here and not isinstance(there, OSError):  # of one that has ended meanwhile
                 raise self._refused(allowed("cluster-version", here=self.here, there=_said(there), worker=worker))
 
     def submit(self, work: Work, rows: list) -> "Future[Part]":
