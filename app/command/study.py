@@ -33,6 +33,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--out", metavar="FILE", help=text("help.study.out"))
     parser.add_argument("--resume", action="store_true", help=text("help.study.resume"))
     parser.add_argument("--workers", metavar="N", help=text("help.study.workers"))
+    parser.add_argument("--cluster", metavar="ADDRESS|local:N", help=text("help.study.cluster"))
 
 
 def print_study(scene: solvers.Scene, options: Namespace) -> int:
@@ -59,6 +60,7 @@ def print_study(scene: solvers.Scene, options: Namespace) -> int:
                 out=options.out,
                 resume=options.resume,
                 workers=whole("--workers", options.workers),
+                cluster=options.cluster,
                 progress=progress,
                 cancelled=interrupted,
             )

@@ -11,7 +11,6 @@ import numpy as np
 
 from .. import validation
 from ..methods.base import Method, never
-from ..numerics.processors import MOST, processors
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
 from ..solve import solve
@@ -20,6 +19,7 @@ from ..validation import SceneError, allowed
 from .figures import FIGURES
 from .study.axes import Axis, axes_of
 from .study.crew import Processes
+from .study.study import crew_size
 from .study.work import Work
 from .varied import unit_of
 
@@ -116,7 +116,7 @@ def optimise(
     limits = [_limit(bound) for bound in ([such_that] if isinstance(such_that, str) else such_that)]
     solves = validation.whole_number("solves", solves, LEAST, MOST_SOLVES)
     seed = validation.whole_number("seed", seed, 0, 2**32 - 1)
-    workers = processors() if workers is None else validation.whole_number("workers", workers, 1, MOST)
+    workers = crew_size(workers)
     axes = axes_of(scene, {key: _pair(given) for key, given in _table(vary).items()}, drawn=True)
     endless = next((axis for axis in axes if axis.law and not all(map(math.isfinite, axis.law.frozen.support()))), None)
     if endless is not None and endless.law is not None:

@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,8 @@ from ...scenes.library import SceneOrName, scene_of, to_toml
 from ...validation import SceneError, allowed
 from ..figures import FIGURES, asked_for
 from ..varied import unit_of
-from .crew import Processes, solved
+from .cluster import cluster_of
+from .crew import Crew, Processes, solved
 from .design import Design, design_of
 from .parts import Held, Parts, left_of, same_study
 from .work import Work
@@ -54,6 +56,7 @@ def study(
     out: str | Path | None = None,
     resume: bool = False,
     workers: int | None = None,
+    cluster: Any = None,
     progress: Callable[[Progress], Any] | None = None,
     cancelled: Callable[[], bool] = never,
 ) -> Any:
@@ -69,29 +72,30 @@ def study(
     they are not looked for, and a rigid mass on one rod takes 20 microseconds. Dimensions: the keys, or `point`.
     Attributes: what makes another study of it. No point is left out, whatever it raises, or if it ends its process.
     `out`: a file .nc, .zarr, .parquet or .csv; what is done is kept beside it in `OUT.parts`, from where it goes on
-    with `resume`. `workers`: processes, one on each processor unless it says otherwise; no result hangs on that.
-    `cancelled()` true: what is left is refused as "not-solved". At most 1e7 points.
-    Raises SceneError naming what cannot be: ranges, distributions, files of another study; OSError where nothing can
-    be written; ImportError without the extra `notebook`. Cost: the solves, shared by the workers.
+    with `resume`. `workers`: processes, one on each processor unless it says otherwise; or `cluster`: of Dask,
+    "tcp://HOST:PORT", "local:N" or a `distributed.Client`. No result hangs on who solves it. `cancelled()` true: what
+    is left is refused as "not-solved". At most 1e7 points. Raises SceneError naming what cannot be: ranges, files of
+    another study, clusters; OSError where nothing can be written; ImportError without the extra `notebook`.
     """
     from ...notebook import datasets  # loads xarray, which nothing else here needs
 
-    scene, workers = scene_of(scene), crew_size(workers)
+    scene = scene_of(scene)
     design = design_of(scene, vary, sample, points, seed)
     names = asked_for(figures)
     work = Work(scene, design.keys, names, method, notes)
     path = None if out is None else file_of(out)
     if resume and path is None:
         raise SceneError("resume", True, allowed("with-file"))
-    about = _about(work, design)
+    about, crew = _about(work, design), _crew(workers, cluster, design.size)
     if path is not None and path.exists():
         same_study(datasets.study_in(path), about, str(path)) if resume else _refuse(path)
         if progress is not None:
             progress(Progress(design.size, design.size, design.size, 0.0))
         return datasets.read_study(path)
     parts = Held() if path is None else Parts(path.with_name(f"{path.name}.parts"))
-    parts.begin(about, resume)
-    _finish(work, design, parts, workers, cancelled, progress)
+    with closing(crew()) as solving:
+        parts.begin(about, resume)
+        _finish(work, design, parts, solving, cancelled, progress)
     found = _dataset(work, design, parts, about)
     if path is not None and not left_of(design.size, parts.spans()):
         datasets.write_study(found, path)
@@ -107,7 +111,8 @@ def crew_size(workers: int | None) -> int:
 def points_of(work: Work, design: Design, workers: int, progress: Callable[[Progress], Any] | None = None) -> Any:
     """The Dataset of a design, all of it solved, in memory alone."""
     parts = Held()
-    _finish(work, design, parts, workers, never, progress)
+    with closing(Processes(min(workers, design.size))) as crew:
+        _finish(work, design, parts, crew, never, progress)
     return _dataset(work, design, parts, _about(work, design))
 
 
@@ -123,7 +128,7 @@ def _finish(
     work: Work,
     design: Design,
     parts: Parts | Held,
-    workers: int,
+    crew: Crew,
     cancelled: Callable[[], bool],
     progress: Callable[[Progress], Any] | None,
 ) -> None:
@@ -136,13 +141,19 @@ def _finish(
             progress(Progress(done, resumed, design.size, time.perf_counter() - begun))
 
     report()
-    if done == design.size:
-        return
-    with closing(Processes(min(workers, design.size - done))) as crew:
-        for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled):
-            parts.keep((start, stop), part)
-            done += stop - start
-            report()
+    for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled):
+        parts.keep((start, stop), part)
+        done += stop - start
+        report()
+
+
+def _crew(workers: int | None, cluster: Any, points: int) -> Callable[[], Crew]:
+    """Who is to solve it, once that begins. Raises SceneError for both at once."""
+    if cluster is not None and workers is not None:
+        raise SceneError("workers", workers, allowed("workers-or-cluster"))
+    if cluster is not None:
+        return partial(cluster_of, cluster)
+    return partial(Processes, min(crew_size(workers), points))
 
 
 def file_of(out: str | Path, option: str = "out") -> Path:

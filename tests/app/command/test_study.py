@@ -53,6 +53,8 @@ def test_a_file_is_written_once_and_gone_on_with(capsys, tmp_path):
         (("--vary", "impactor.mass=1,2", "--seed", "1.5"), "--seed: got '1.5'"),
         (("--vary", "impactor.mass=1,2", "--sample", "dice"), "'lhs'"),
         (("--vary", "impactor.mass=1,2", "--workers", "0"), "workers"),
+        (("--vary", "impactor.mass=1,2", "--cluster", "nonsense"), "cluster: got 'nonsense'; allowed: tcp://HOST:PORT"),
+        (("--vary", "impactor.mass=1,2", "--cluster", "local:2", "--workers", "2"), "nothing beside cluster"),
         (("--vary", "impactor.mass=1,2", "--figure", "beauty"), "'peak_force'"),
         (("--vary", "impactor.mass=1,2", "--out", "map.png"), "'.nc'"),
         (("--vary", "impactor.mass=1,2", "--out", "/nowhere/map.nc"), "a folder that is there"),
