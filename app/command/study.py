@@ -76,7 +76,8 @@ def _print(found: Any, last: Progress, out: str | None, as_json: bool) -> None:
     known = study_tables.summary(found)
     if not as_json:
         print(study_tables.lines(found, known))
-        print("  " + text("study.took", seconds=last.seconds, resumed=last.resumed, out=out or "none"))
+        written = out if out and not known["waiting"] else "none"
+        print("  " + text("study.took", seconds=last.seconds, resumed=last.resumed, out=written))
         return
     known |= {"resumed": last.resumed, "seconds": last.seconds, "out": out}
     if out is None and known["points"] <= MOST_ROWS:

@@ -18,7 +18,7 @@ from ..text.notes import Note, Severity, coded
 from ..validation import SceneError, allowed
 from .figures import FIGURES
 from .study.axes import Axis, axes_of
-from .study.crew import Processes
+from .study.crew import Crew, crew_of
 from .study.study import crew_size
 from .study.work import Work
 from .varied import unit_of
@@ -123,7 +123,7 @@ def optimise(
         raise SceneError(endless.name, endless.law.text, allowed("bounded-range"))
     keys = tuple(key for axis in axes for key in axis.keys)
     figures = tuple(dict.fromkeys([goal, *(limit.figure for limit in limits), "contacts"]))
-    with closing(Processes(workers)) as crew:
+    with closing(crew_of(workers)) as crew:
         search = Search(axes, Work(scene, keys, figures, method, False), limits, maximise is not None, crew, solves)
         search.run(seed, cancelled)
     units = {key: unit_of(scene, key) for key in keys} | {name: FIGURES[name][0] for name in figures}
@@ -156,9 +156,7 @@ def _limit(bound: str) -> Limit:
 class Search:
     """Points of a unit cube, an edge for each axis, with what came of each."""
 
-    def __init__(
-        self, axes: Sequence[Axis], work: Work, limits: list[Limit], largest: bool, crew: Processes, solves: int
-    ):
+    def __init__(self, axes: Sequence[Axis], work: Work, limits: list[Limit], largest: bool, crew: Crew, solves: int):
         self.axes, self.work, self.limits, self.largest = axes, work, limits, largest
         self.crew, self.solves = crew, solves
         self.found: dict[tuple[Any, ...], np.ndarray] = {}  # figures by values of the keys

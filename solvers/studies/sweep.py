@@ -24,6 +24,7 @@ from .figures import FIGURES, USUAL, Figures, asked_for, figures_of
 from .mass_ratios import TERMS
 from .varied import takes_whole_numbers, unit_of, with_values
 
+WIDE = 100.0  # times the lowest value: ranges from there on are spaced by a factor
 MOST_VALUES = 2_000
 MOST_QUICK = 1_000_000  # of impacts of a mass on a rod
 CHUNK = 500  # of them that a thread takes at once
@@ -39,7 +40,7 @@ def spaced(low: float, high: float, count: int = 21, spacing: str | None = None)
     if not (np.isfinite(low) and np.isfinite(high) and low < high):
         raise SceneError("range", (low, high), allowed("range"))
     if spacing is None:
-        spacing = "log" if low > 0.0 and high / low >= 100.0 else "linear"
+        spacing = "log" if low > 0.0 and high / low >= WIDE else "linear"
     validation.choice("spacing", spacing, ("linear", "log"))
     if spacing == "log":
         if low <= 0.0:

@@ -92,6 +92,33 @@ class Processes:
         self.pool.shutdown(wait=True, cancel_futures=True)
 
 
+class Here:
+    """In this process, where it may have no others: as one of a pool has not."""
+
+    broken: tuple[type[BaseException], ...] = ()
+    workers = 1
+
+    def submit(self, work: Work, rows: list) -> "Future[Part]":
+        """It is done at once."""
+        done: Future[Part] = Future()
+        done.set_result(work(rows))
+        return done
+
+    def renew(self) -> None:
+        """None has ended."""
+
+    def alone(self, work: Work, rows: list) -> Part | None:
+        return work(rows)
+
+    def close(self) -> None:
+        """None is there."""
+
+
+def crew_of(workers: int) -> Crew:
+    """Processes, unless this one may have none."""
+    return Here() if multiprocessing.current_process().daemon else Processes(workers)
+
+
 def _begin(parent: int) -> None:
     """Of a worker: interrupts are heard by the one that began it, and without that one there is nothing to do."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)

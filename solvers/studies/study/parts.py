@@ -3,8 +3,8 @@
 import json
 import os
 import re
-import shutil
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
@@ -39,6 +39,8 @@ class Parts:
                 before = {}
             same_study(before, about, str(self.folder))
             return
+        if self.folder.exists() and (not self.folder.is_dir() or any(self.folder.iterdir())):
+            raise SceneError("out", str(self.folder), allowed("own-parts"))
         self.folder.mkdir(parents=True, exist_ok=True)
         written = self.folder / f"{ABOUT}.new"
         written.write_text(json.dumps(about), "utf-8")
@@ -73,8 +75,12 @@ class Parts:
             yield span, part
 
     def end(self) -> None:
-        """All is in its file now."""
-        shutil.rmtree(self.folder)
+        """All is in its file now. What is of somebody else stays."""
+        for path in self.folder.iterdir():
+            if path.name.startswith(ABOUT) or SPAN.match(path.name):
+                path.unlink()
+        with suppress(OSError):
+            self.folder.rmdir()
 
 
 class Held:

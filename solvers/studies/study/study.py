@@ -10,6 +10,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ... import validation
 from ...methods.base import Method, never
 from ...numerics.processors import MOST, processors
@@ -19,11 +21,12 @@ from ...validation import SceneError, allowed
 from ..figures import FIGURES, asked_for
 from ..varied import unit_of
 from .cluster import cluster_of
-from .crew import Crew, Processes, solved
+from .crew import Crew, crew_of, solved
 from .design import Design, design_of
 from .parts import Held, Parts, left_of, same_study
 from .work import Work
 
+LOOKED_AT = 33  # points before any is solved
 ENDINGS = {".nc": "", ".zarr": "zarr", ".parquet": "pyarrow", ".csv": ""}  # with the package that each needs
 
 
@@ -86,6 +89,7 @@ def study(
     path = None if out is None else file_of(out)
     if resume and path is None:
         raise SceneError("resume", True, allowed("with-file"))
+    none_allowed(work, design)
     about, crew = _about(work, design), _crew(workers, cluster, design.size)
     if path is not None and path.exists():
         same_study(datasets.study_in(path), about, str(path)) if resume else _refuse(path)
@@ -103,6 +107,28 @@ def study(
     return found
 
 
+def none_allowed(work: Work, design: Design) -> None:
+    """Raises SceneError, that of the first, where none of some points all over the design can be solved, as when a key
+    is misspelt; and where a method that is given stands beside keys of methods."""
+    named = next((key for key in design.keys if key.partition(".")[0] == "method"), None)
+    if named is not None and work.method is not None:
+        raise SceneError("method", _named(work.method), allowed("nothing-beside", other=named))
+    first: SceneError | None = None
+    for point in sorted({round(share * (design.size - 1)) for share in np.linspace(0.0, 1.0, LOOKED_AT)}):
+        try:
+            work.allow(design.rows(point, point + 1)[0])
+        except SceneError as refused:
+            first = first or refused
+        else:
+            return
+    assert first is not None
+    raise first
+
+
+def _named(method: str | Method) -> str:
+    return method.NAME if isinstance(method, Method) else method
+
+
 def crew_size(workers: int | None) -> int:
     """How many processes: one on each processor unless it is given. Raises SceneError for what is no such number."""
     return processors() if workers is None else validation.whole_number("workers", workers, 1, MOST)
@@ -111,7 +137,7 @@ def crew_size(workers: int | None) -> int:
 def points_of(work: Work, design: Design, workers: int, progress: Callable[[Progress], Any] | None = None) -> Any:
     """The Dataset of a design, all of it solved, in memory alone."""
     parts = Held()
-    with closing(Processes(min(workers, design.size))) as crew:
+    with closing(crew_of(min(workers, design.size))) as crew:
         _finish(work, design, parts, crew, never, progress)
     return _dataset(work, design, parts, _about(work, design))
 
@@ -153,7 +179,7 @@ def _crew(workers: int | None, cluster: Any, points: int) -> Callable[[], Crew]:
         raise SceneError("workers", workers, allowed("workers-or-cluster"))
     if cluster is not None:
         return partial(cluster_of, cluster)
-    return partial(Processes, min(crew_size(workers), points))
+    return partial(crew_of, min(crew_size(workers), points))
 
 
 def file_of(out: str | Path, option: str = "out") -> Path:

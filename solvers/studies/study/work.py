@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...methods.base import Method
+from ...methods.base import Method, SceneNotSupported
 from ...scene import Scene
 from ...solution.solution import Solution
 from ...solve import chosen_method
@@ -74,7 +74,7 @@ class Work:
 
     def _solved(self, row: tuple[Any, ...]) -> tuple[list[float], str, str, str]:
         try:
-            solution = self._solve(dict(zip(self.keys, row, strict=True)))
+            solution = self._solve(row)
             found = [np.nan if value is None else float(value) for value in figures_of(solution, self.figures)]
             codes = " ".join(dict.fromkeys(note.code for note in solution.notes)) if self.notes else ""
             wrong = [note for note in solution.notes if note.severity is Severity.INVALID] if self.trusted else []
@@ -87,11 +87,22 @@ class Work:
             return [np.nan] * len(self.figures), wrong[0].code, str(wrong[0]), codes
         return found, "", "", codes
 
-    def _solve(self, changes: dict[str, Any]) -> Solution:
-        scene = self.scene.replace(changes)
+    def read(self, row: tuple[Any, ...]) -> tuple[Scene, Method, float | None]:
+        """The scene with these values, and by what it is solved, up to which duration [s]. Raises SceneError."""
+        scene = self.scene.replace(dict(zip(self.keys, row, strict=True)))
         if scene.normal is not None:
             raise SceneError("scene", scene.title, allowed("scenes-on-axis"))
-        method, duration = chosen_method(scene, self.method)
+        return scene, *chosen_method(scene, self.method)
+
+    def allow(self, row: tuple[Any, ...]) -> None:
+        """Raises SceneError for what can be seen to be refused before it is solved."""
+        scene, method, _ = self.read(row)
+        reason = method.refusal(scene)
+        if reason is not None:
+            raise SceneNotSupported("method.name", method.NAME, reason)
+
+    def _solve(self, row: tuple[Any, ...]) -> Solution:
+        scene, method, duration = self.read(row)
         if not self.notes and "estimated_error" not in self.figures:
             method = method.without_estimate()
         return method.solve_in_full(scene, duration)
