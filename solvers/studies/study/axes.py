@@ -123,11 +123,7 @@ def _axis(scene: Scene, key: Any, given: Any, drawn: bool) -> Axis:
         if spread is not None:
             return spread
         given = parse_values(keys[0], given)
-    elif (
-        isinstance(given, Mapping)
-        or not isinstance(given, Iterable)
-        or (np.ndim(given) == 0 and hasattr(given, "ndim"))
-    ):
+    elif isinstance(given, Mapping) or not isinstance(given, Iterable) or getattr(given, "ndim", 1) == 0:
         given = [given]
     rows = tuple(_row(keys, value) for value in validation.plain(list(given)))
     for value in sum(rows, ()):
@@ -153,10 +149,11 @@ def _spread(scene: Scene, keys: tuple[str, ...], given: str, drawn: bool) -> Axi
         return _range(scene, keys, span, drawn)
     if share := SHARE.fullmatch(given):
         part = 0.01 * validation.number(keys[0], float(share["percent"]), 1e-9, 1e3)
-        own = tuple(number_of(scene, key) for key in keys)
         if len(keys) > 1:
+            own = tuple(number_of(scene, key) for key in keys)
             return Axis(keys, law=_chance(keys[0], "uniform", [1.0 - part, 1.0 + part]), own=own)
-        ends = sorted((own[0] * (1.0 - part), own[0] * (1.0 + part)))
+        value = number_of(scene, keys[0])
+        ends = sorted((value * (1.0 - part), value * (1.0 + part)))
         return _by_law(scene, keys, _chance(keys[0], "uniform", ends))
     law = LAW.fullmatch(given)
     if law is None and ".." not in given and not given.endswith("%"):
