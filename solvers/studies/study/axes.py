@@ -148,13 +148,13 @@ def _spread(scene: Scene, keys: tuple[str, ...], given: str, drawn: bool) -> Axi
     if span := RANGE.fullmatch(given):
         return _range(scene, keys, span, drawn)
     if share := SHARE.fullmatch(given):
-        part = 0.01 * validation.number(keys[0], float(share["percent"]), 1e-9, 1e3)
+        first, part = keys[0], 0.01 * validation.number(keys[0], float(share["percent"]), 1e-9, 1e3)
         if len(keys) > 1:
             own = tuple(number_of(scene, key) for key in keys)
-            return Axis(keys, law=_chance(keys[0], "uniform", [1.0 - part, 1.0 + part]), own=own)
-        value = number_of(scene, keys[0])
+            return Axis(keys, law=_chance(first, "uniform", [1.0 - part, 1.0 + part]), own=own)
+        value = number_of(scene, first)
         ends = sorted((value * (1.0 - part), value * (1.0 + part)))
-        return _by_law(scene, keys, _chance(keys[0], "uniform", ends))
+        return _by_law(scene, keys, _chance(first, "uniform", ends))
     law = LAW.fullmatch(given)
     if law is None and ".." not in given and not given.endswith("%"):
         return None
