@@ -58,10 +58,13 @@ from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
+from .studies.optimum import Optimum, optimise
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
+from .studies.study.plot import plot_study
 from .studies.study.study import study
 from .studies.sweep import solve_many, sweep
+from .studies.uncertain import Uncertain, uncertain
 from .validation import SceneError
 
 __version__ = release()
@@ -93,6 +96,7 @@ __all__ = [
     "ModeSwitch",
     "Motion",
     "Multibody",
+    "Optimum",
     "Plan",
     "QuasiStatic",
     "RegimeMap",
@@ -111,6 +115,7 @@ __all__ = [
     "Stability",
     "TradeOff",
     "TradeOffPoint",
+    "Uncertain",
     "Wall",
     "Waveguide",
     "Waves",
@@ -124,7 +129,9 @@ __all__ = [
     "gradient",
     "joint_scattering",
     "load",
+    "optimise",
     "plan",
+    "plot_study",
     "read_method",
     "records",
     "reference",
@@ -139,5 +146,6 @@ __all__ = [
     "sweep",
     "to_toml",
     "tradeoff",
+    "uncertain",
     "usual_method",
 ]

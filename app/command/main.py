@@ -6,6 +6,7 @@ import os
 import sys
 import threading
 import tomllib
+from collections.abc import Callable
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from solvers.jit.shortcuts import shorten
 
 from .lesson import add_commands as add_lesson_commands
 from .parser import Parser, Refused
+from .plot import add_command as add_plot_command
 from .seek import add_arguments as add_seek_arguments
 from .seek import print_sought, turned_round
 from .serve import add_arguments as add_serve_arguments
@@ -73,6 +75,8 @@ def _patience():
 
 
 def _parser() -> argparse.ArgumentParser:
+    from . import joints, optimise, plan, stability, study, uncertain
+
     parser = Parser(prog="impact", description=text("help.impact"))
     parser.add_argument("--version", action="version", version=solvers.__version__, help=text("help.version"))
     commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=Parser)
@@ -91,15 +95,22 @@ def _parser() -> argparse.ArgumentParser:
     _tradeoff_command(commands)
     _calibrate_command(commands)
     _sweep_command(commands)
-    _study_command(commands)
+    _scene_command(commands, "study", text("help.study.about"), study.add_arguments, study.print_study)
+    _scene_command(commands, "optimise", text("help.optimise.about"), optimise.add_arguments, optimise.print_optimum)
+    _scene_command(
+        commands, "uncertain", text("help.uncertain.about"), uncertain.add_arguments, uncertain.print_uncertain
+    )
+    add_plot_command(commands)
     _bounce_command(commands)
     _ensemble_command(commands)
     _gradient_command(commands)
     _convergence_command(commands)
     _record_command(commands)
-    _stability_command(commands)
-    _plan_command(commands)
-    _joints_command(commands)
+    _scene_command(
+        commands, "stability", text("help.stability.about"), stability.add_arguments, stability.print_stability
+    )
+    _scene_command(commands, "plan", text("help.plan.about"), plan.add_arguments, plan.print_plan)
+    _scene_command(commands, "joints", text("help.joints.about"), joints.add_arguments, joints.print_joints)
 
     lesson = commands.add_parser("lesson", help=text("help.lesson.about"))
     add_lesson_commands(lesson)
@@ -119,6 +130,20 @@ def _parser() -> argparse.ArgumentParser:
     warm = commands.add_parser("warm", help=text("help.warm"))
     warm.set_defaults(run=_warm)
     return parser
+
+
+def _scene_command(
+    commands: Any,
+    name: str,
+    about: str,
+    add_arguments: Callable[[Any], None],
+    run: Callable[[solvers.Scene, argparse.Namespace], int],
+) -> None:
+    """One of a scene, with options of its own."""
+    parser = commands.add_parser(name, help=about)
+    _scene_arguments(parser)
+    add_arguments(parser)
+    parser.set_defaults(run=lambda options: run(_scene(options), options))
 
 
 def _tradeoff_command(commands: Any) -> None:
@@ -162,15 +187,6 @@ def _sweep_command(commands: Any) -> None:
         return print_sweep(_scene(options), options.vary, options.figure, options.json)
 
     parser.set_defaults(run=run)
-
-
-def _study_command(commands: Any) -> None:
-    from .study import add_arguments, print_study
-
-    parser = commands.add_parser("study", help=text("help.study.about"))
-    _scene_arguments(parser)
-    add_arguments(parser)
-    parser.set_defaults(run=lambda options: print_study(_scene(options), options))
 
 
 def _bounce_command(commands: Any) -> None:
@@ -254,33 +270,6 @@ def _record_command(commands: Any) -> None:
         return print_record(_scene(options), options)
 
     parser.set_defaults(run=run)
-
-
-def _stability_command(commands: Any) -> None:
-    from .stability import add_arguments, print_stability
-
-    parser = commands.add_parser("stability", help=text("help.stability.about"))
-    _scene_arguments(parser)
-    add_arguments(parser)
-    parser.set_defaults(run=lambda options: print_stability(_scene(options), options))
-
-
-def _plan_command(commands: Any) -> None:
-    from .plan import add_arguments, print_plan
-
-    parser = commands.add_parser("plan", help=text("help.plan.about"))
-    _scene_arguments(parser)
-    add_arguments(parser)
-    parser.set_defaults(run=lambda options: print_plan(_scene(options), options))
-
-
-def _joints_command(commands: Any) -> None:
-    from .joints import add_arguments, print_joints
-
-    parser = commands.add_parser("joints", help=text("help.joints.about"))
-    _scene_arguments(parser)
-    add_arguments(parser)
-    parser.set_defaults(run=lambda options: print_joints(_scene(options), options))
 
 
 def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> None:

@@ -33,18 +33,19 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--out", metavar="FILE", help=text("help.study.out"))
     parser.add_argument("--resume", action="store_true", help=text("help.study.resume"))
     parser.add_argument("--workers", metavar="N", help=text("help.study.workers"))
+    parser.add_argument("--cluster", metavar="ADDRESS|local:N", help=text("help.study.cluster"))
 
 
 def print_study(scene: solvers.Scene, options: Namespace) -> int:
     """Solve it, and print how far its figures reach; after an interrupt what is solved by then."""
     methods = [] if options.method is None else [f"method.name={options.method}"]
-    vary = _vary([*options.vary, *options.distribution, *methods])
+    vary = by_key("--vary", [*options.vary, *options.distribution, *methods])
     last = Progress(0, 0, 0, 0.0)
 
     def progress(now: Progress) -> None:
         nonlocal last
         last = now
-        _show(now)
+        show(now)
 
     with interruptible() as interrupted:
         try:
@@ -52,13 +53,14 @@ def print_study(scene: solvers.Scene, options: Namespace) -> int:
                 scene,
                 vary,
                 sample=options.sample,
-                points=_whole("--points", options.points),
-                seed=_whole("--seed", options.seed) or 0,
+                points=whole("--points", options.points),
+                seed=whole("--seed", options.seed) or 0,
                 figures=options.figure,
                 notes=not options.no_notes,
                 out=options.out,
                 resume=options.resume,
-                workers=_whole("--workers", options.workers),
+                workers=whole("--workers", options.workers),
+                cluster=options.cluster,
                 progress=progress,
                 cancelled=interrupted,
             )
@@ -74,7 +76,8 @@ def _print(found: Any, last: Progress, out: str | None, as_json: bool) -> None:
     known = study_tables.summary(found)
     if not as_json:
         print(study_tables.lines(found, known))
-        print("  " + text("study.took", seconds=last.seconds, resumed=last.resumed, out=out or "none"))
+        written = out if out and not known["waiting"] else "none"
+        print("  " + text("study.took", seconds=last.seconds, resumed=last.resumed, out=written))
         return
     known |= {"resumed": last.resumed, "seconds": last.seconds, "out": out}
     if out is None and known["points"] <= MOST_ROWS:
@@ -82,7 +85,7 @@ def _print(found: Any, last: Progress, out: str | None, as_json: bool) -> None:
     print(json.dumps(known, indent=1, allow_nan=False))
 
 
-def _show(now: Progress) -> None:
+def show(now: Progress) -> None:
     """On a terminal, how far it is."""
     if sys.stderr.isatty():
         known = {"known": now.left is not None, "left": now.left or 0.0}
@@ -90,22 +93,23 @@ def _show(now: Progress) -> None:
         print(f"\r\033[K{line}" if now.done < now.points else "\r\033[K", end="", file=sys.stderr, flush=True)
 
 
-def _vary(given: Sequence[str]) -> dict[str, str]:
+def by_key(option: str, given: Sequence[str]) -> dict[str, str]:
     """By key, or keys with commas between them, what is said of it. Raises SceneError for a key that is given twice."""
     found: dict[str, str] = {}
     for each in given:
         key, equals, said = each.partition("=")
         if not equals or not key.strip() or not said.strip():
-            raise SceneError("--vary", each, text("wanted.study"))
+            raise SceneError(option, each, text("wanted.study"))
         if key.strip() in found:
-            raise SceneError("--vary", each, text("wanted.one-value", before=repr(found[key.strip()])))
+            raise SceneError(option, each, text("wanted.one-value", before=repr(found[key.strip()])))
         found[key.strip()] = said
     if not found:
-        raise SceneError("--vary", None, text("wanted.study"))
+        raise SceneError(option, None, text("wanted.study"))
     return found
 
 
-def _whole(name: str, word: str | None) -> int | None:
+def whole(name: str, word: str | None) -> int | None:
+    """Of an option. Raises SceneError for another word."""
     try:
         return None if word is None else int(word)
     except ValueError:

@@ -9,7 +9,7 @@ from html import escape
 from typing import Any
 
 from ..text.catalogue import library, spoken
-from . import tables
+from . import tables, uncertain_tables
 from .words import existing, family, listed, named, shown, text, vector
 
 Rows = Iterable[tuple[str, str]]
@@ -174,6 +174,14 @@ def gradient_card(found: Any) -> str:
     heads = _named(("figure", "varied", "derivative", "unit", "own-error", "elasticity", "why-not"))
     rows = [(name["method"], _method(found.method)), (name["solves"], str(found.solves))]
     return _card("gradient", found.title, _table(heads, derivatives) + _pairs(rows), found.notes)
+
+
+def uncertain_card(found: Any) -> str:
+    """How far every figure spreads, and what each input has to do with it."""
+    of_figures = _table(uncertain_tables.spread_heads(found), uncertain_tables.spreads(found))
+    of_inputs = _table(uncertain_tables.share_heads(), uncertain_tables.shares(found))
+    said = [*uncertain_tables.inputs(found), *uncertain_tables.without(found), *found.notes]
+    return _card("uncertain", found.title, of_figures + of_inputs, said)
 
 
 def convergence_card(found: Any) -> str:

@@ -129,8 +129,11 @@ def _places(design: Any, units: Any) -> tuple[tuple[str, ...], dict[str, Any]]:
 
 
 def _values(column: Sequence[Any]) -> np.ndarray:
-    """Numbers, or words, which may be of any length."""
-    return np.array(column, object if any(isinstance(value, str) for value in column) else None)
+    """Numbers; or words, which may be of any length, and tables as words."""
+    if all(isinstance(value, (int, float)) for value in column):
+        return np.array(column)
+    said = [value if isinstance(value, str) else json.dumps(value) for value in column]
+    return np.array(said, object)
 
 
 def write_study(found: Dataset, path: Path) -> None:

@@ -29,16 +29,21 @@ def plot(solution: Any, what: str) -> Drawn:
     """See `Solution.plot`."""
     drawn = DRAWN[choice("what", what, DRAWN)]
     motion = solution.known_motion
-    _draw_with_bokeh()
-    return _titled(drawn(solution, motion), solution.scene.title, solution.method["name"])
+    draw_with_bokeh()
+    return titled(drawn(solution, motion), solution.scene.title, solution.method["name"])
 
 
-def _draw_with_bokeh() -> None:
+def draw_with_bokeh() -> None:
     if not hv.Store.renderers:  # the user has chosen none
         hv.extension("bokeh")
 
 
-def _titled(drawn: Any, title: str, about: str) -> Any:
+def rendered(drawn: Drawn) -> Any:
+    """As Bokeh has it, for a page."""
+    return hv.render(drawn, backend="bokeh")
+
+
+def titled(drawn: Any, title: str, about: str) -> Any:
     """Long enough for many contacts, the legend beside them; of Bokeh alone, as others measure in other units."""
     label = f"{title or 'Scene'}, {about}"
     drawn = drawn.relabel(label)
@@ -125,11 +130,11 @@ def _curve(figure: Figure, time: np.ndarray, values: np.ndarray) -> Any:
 def ensemble(found: Any, what: str, units: Any) -> Any:
     """See `Ensemble.plot`; `units` by figure."""
     choice("what", what, (*BANDS, *units))
-    _draw_with_bokeh()
+    draw_with_bokeh()
     if what not in BANDS:
         change = hv.Dimension("change", label=f"relative change of {found.key}")
         value = hv.Dimension(what, label=what.replace("_", " "), unit=units[what][0] or None)
-        return _titled(hv.Scatter((found.perturbations, getattr(found, what)), change, value), "", what)
+        return titled(hv.Scatter((found.perturbations, getattr(found, what)), change, value), "", what)
     band, figure = getattr(found, what), BANDS[what]
     value = hv.Dimension(what, label=figure.long_name, unit=figure.unit)
     upper = hv.Dimension("upper", label=f"{figure.long_name}, upper", unit=figure.unit)
@@ -137,7 +142,7 @@ def ensemble(found: Any, what: str, units: Any) -> Any:
     drawn = [
         hv.Area((found.time, *both), TIME, [value, upper], label=name).opts(alpha=0.3) for name, both in areas.items()
     ]
-    return _titled(
+    return titled(
         hv.Overlay([*drawn, hv.Curve((found.time, band.median), TIME, value, label="median")]), "", "ensemble"
     )
 
@@ -145,13 +150,13 @@ def ensemble(found: Any, what: str, units: Any) -> Any:
 def figures(found: Any, what: str, units: Any) -> Any:
     """See `Figures.plot`; `units` by figure."""
     choice("what", what, units)
-    _draw_with_bokeh()
+    draw_with_bokeh()
     value = hv.Dimension(what, label=what.replace("_", " "), unit=units[what] or None)
     keys = [hv.Dimension(key, unit=found.units.get(key) or None) for key in found.varied]
     if len(keys) == 2:
-        return _titled(_over_two(found, what, keys, value), "", what)
+        return titled(_over_two(found, what, keys, value), "", what)
     key, across = (keys[0], found.varied[keys[0].name]) if len(keys) == 1 else ("scene", np.arange(len(found)))
-    return _titled(hv.Scatter((across, found.columns[what]), key, value), "", what)
+    return titled(hv.Scatter((across, found.columns[what]), key, value), "", what)
 
 
 def _over_two(found: Any, what: str, keys: list[Any], value: Any) -> Any:
@@ -163,7 +168,7 @@ def _over_two(found: Any, what: str, keys: list[Any], value: Any) -> Any:
         points = hv.Points((*found.varied.values(), found.columns[what]), keys, value)
         return points.opts(**options, color=what) if hv.Store.current_backend == "bokeh" else points
     axes, arrays = filled
-    edges = [_edges(axis, log) for axis, log in zip(axes.values(), logs, strict=True)]
+    edges = [edges_of(axis, log) for axis, log in zip(axes.values(), logs, strict=True)]
     return hv.QuadMesh((*edges, arrays[what].T), keys, value).opts(**options)
 
 
@@ -177,13 +182,13 @@ BANDS = {
 def convergence(found: Any, what: str) -> Any:
     """See `Convergence.plot`."""
     choice("what", what, ("differences", *found.values))
-    _draw_with_bokeh()
+    draw_with_bokeh()
     log = found.kind != "restitution"
     across = hv.Dimension(found.kind, unit="s" if found.kind == "step" else None)
     if what != "differences":
         value = hv.Dimension(what, label=what.replace("_", " "), unit=found.units[what] or None)
         curve = hv.Curve((found.counts, found.values[what]), across, value).opts(logx=log)
-        return _titled(curve, found.method, what)
+        return titled(curve, found.method, what)
     value = hv.Dimension("difference", label="difference to the finest" if log else "difference to the last")
     curves = {}
     for name, differences in found.differences.items():
@@ -191,13 +196,13 @@ def convergence(found: Any, what: str) -> Any:
         if shown.any():  # else the same for all
             curve = hv.Curve((found.counts[shown], differences[shown]), across, value, label=name.replace("_", " "))
             curves[name] = curve.opts(logx=log, logy=log)
-    return _titled(hv.Overlay(list(curves.values())), found.method, what)
+    return titled(hv.Overlay(list(curves.values())), found.method, what)
 
 
 def tradeoff(found: Any, quantity: str) -> Any:
     """See `TradeOff.plot`."""
     choice("quantity", quantity, found.quantities)
-    _draw_with_bokeh()
+    draw_with_bokeh()
     seconds = hv.Dimension("wall_time", label="wall time", unit="s")
     error = hv.Dimension("error", label=f"error of {quantity}")
     floor = max((found.reference and found.reference.uncertainty.get(quantity)) or 0.0, LEAST_ERROR)
@@ -215,7 +220,7 @@ def tradeoff(found: Any, quantity: str) -> Any:
     front = _marked(curve(found.front(quantity), "nothing better"))[0].opts(color="black")
     if hv.Store.current_backend == "bokeh":
         front = front.opts(line_dash="dashed")
-    whole = _titled(hv.Overlay([*drawn, front]).opts(logx=True, logy=True), found.scene.get("title", ""), quantity)
+    whole = titled(hv.Overlay([*drawn, front]).opts(logx=True, logy=True), found.scene.get("title", ""), quantity)
     return whole.opts(width=WIDTH + LONG_LEGEND) if hv.Store.current_backend == "bokeh" else whole
 
 
@@ -230,7 +235,7 @@ def _marked(curve: Any) -> tuple[Any, Any]:
 def regimes(found: Any, what: str) -> Any:
     """See `RegimeMap.plot`."""
     choice("what", what, ("smallest", *found.models))
-    _draw_with_bokeh()
+    draw_with_bokeh()
     time = hv.Dimension("relative_time", label="contact time over the period of the target")
     ratio = hv.Dimension("mass_ratio", label="mass ratio, target over impactor")
     shown = found.relative_time > 0.0
@@ -241,8 +246,8 @@ def regimes(found: Any, what: str) -> Any:
             row, column = np.nonzero(cells == number)
             points = found.relative_time[shown][column], found.mass_ratio[row]
             drawn += [_squares(hv.Scatter(points, time, ratio, label=name))] if row.size else []
-        return _titled(hv.Overlay(drawn), found.family, f"smallest adequate model for {found.question}")
-    edges = _edges(found.relative_time[shown], True), _edges(found.mass_ratio, True)
+        return titled(hv.Overlay(drawn), found.family, f"smallest adequate model for {found.question}")
+    edges = edges_of(found.relative_time[shown], True), edges_of(found.mass_ratio, True)
     errors = found.errors[found.models.index(what)][:, shown]
     value = hv.Dimension("error", label=f"error of {found.question}")
     mesh = hv.QuadMesh((*edges, np.where(np.isfinite(errors), errors, np.nan)), [time, ratio], value)
@@ -252,7 +257,7 @@ def regimes(found: Any, what: str) -> Any:
         if points[0].size
     ]
     mesh = mesh.opts(logx=True, logy=True, logz=True, colorbar=True, cmap="viridis")
-    return _titled(hv.Overlay([mesh, *lines]), found.family, what)
+    return titled(hv.Overlay([mesh, *lines]), found.family, what)
 
 
 def _squares(points: Any) -> Any:
@@ -266,13 +271,13 @@ def stability(found: Any, integrator: str | None) -> Any:
     if integrator is None:
         return hv.Layout([stability(found, name) for name in known]).cols(2)
     choice("integrator", integrator, known)
-    _draw_with_bokeh()
+    draw_with_bokeh()
     down, across = found.axes
     dimensions = [hv.Dimension(axis.name, label=axis.name.replace("_", " "), unit=axis.unit) for axis in (across, down)]
     value = hv.Dimension("energy_error", label="energy error")
     each, logs = known[integrator], {"logx": across.log, "logy": down.log}
     error = np.where(each.ending < UNENDED, np.maximum(np.abs(each.energy_error), LEAST_ERROR), np.nan)
-    mesh = hv.QuadMesh((*(_edges(axis.values, axis.log) for axis in (across, down)), error), dimensions, value)
+    mesh = hv.QuadMesh((*(edges_of(axis.values, axis.log) for axis in (across, down)), error), dimensions, value)
     drawn = [mesh.opts(**logs, logz=True, colorbar=True, cmap="viridis")]
     if each.limit is not None and (each.limit <= down.values[-1]).any():
         steps = np.where(each.limit <= down.values[-1], each.limit, np.nan)
@@ -280,13 +285,13 @@ def stability(found: Any, integrator: str | None) -> Any:
         drawn.append(limit.opts(**logs, color="black"))
     row, column = found.here
     here = hv.Scatter(([column], [row]), *dimensions, label="the scene itself")
-    return _titled(hv.Overlay([*drawn, here.opts(**logs, color="red")]), found.scene.title, integrator)
+    return titled(hv.Overlay([*drawn, here.opts(**logs, color="red")]), found.scene.title, integrator)
 
 
 UNENDED = 2  # of `Map.ending`: from here on a run has not parted the bodies
 
 
-def _edges(middles: np.ndarray, log: bool) -> np.ndarray:
+def edges_of(middles: np.ndarray, log: bool) -> np.ndarray:
     """Of cells about these values, of which there are two or more."""
     places = np.log(middles) if log else np.asarray(middles, float)
     between = 0.5 * (places[1:] + places[:-1])

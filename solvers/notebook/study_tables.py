@@ -77,11 +77,16 @@ def lines(found: Any, known: dict[str, Any]) -> str:
     """What `summary` knows, to read."""
     sizes = " x ".join(f"{name} {size}" for name, size in found.sizes.items())
     counts = {name: known[name] for name in ("points", "solved", "refused", "waiting")}
-    said = [text("study.points", sizes=sizes, **counts), ""]
+    said = [text("study.points", sizes=sizes, **counts)]
     names = {name: f"{name} [{each['unit']}]" if each["unit"] else name for name, each in known["figures"].items()}
     wide = max([0, *map(len, names.values())])
+    said += [""] if names else []
     for name, each in known["figures"].items():
-        for head, end in ((names[name], each["lowest"]), ("", each["highest"])):
+        low, high = each["lowest"], each["highest"]
+        if low["value"] == high["value"]:
+            said.append(f"  {names[name]:{wide}}  {shown(low['value'], '.6g'):>12}  " + text("study.everywhere"))
+            continue
+        for head, end in ((names[name], low), ("", high)):
             value = shown(end["value"], ".6g")
             said.append(f"  {head:{wide}}  {value:>12}  " + text("study.at", at=_said(end["at"])))
     said += [""] if known["refusals"] or known["notes"] else []

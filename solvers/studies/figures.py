@@ -42,8 +42,15 @@ USUAL: dict[str, tuple[str, Callable[[Solution], float | None]]] = {  # unit, an
     "momentum_error": ("", _error("momentum_error")),
     "estimated_error": ("", _error("estimated_error")),
 }
+ENERGIES: dict[str, tuple[str, Callable[[Solution], float | None]]] = {  # at the end; free, but seldom wanted
+    "impactor_energy": ("J", lambda solution: solution.energy["impactor"]),
+    "target_energy": (
+        "J",
+        lambda solution: solution.energy["target_rigid"] + solution.energy["target_vibration"],
+    ),
+}
 LOOKED_FOR = {f"peak_{name}": (asked.unit, _peak(name)) for name, asked in PEAKS.items()}  # each costs some ms
-FIGURES = USUAL | LOOKED_FOR
+FIGURES = USUAL | ENERGIES | LOOKED_FOR
 
 
 class _Column:
@@ -81,7 +88,9 @@ class Figures:
     energy_error = _Column()  # of the energy before
     momentum_error = _Column()  # of the impactor's momentum
     estimated_error = _Column()  # of the impactor's velocity, of the speed of approach
-    # Where they are asked for: sizes of the largest values, see `Solution.peaks`.
+    # Where they are asked for: what the bodies hold at the end, and sizes of the largest values, see `Solution.peaks`.
+    impactor_energy = _Column()  # [J]
+    target_energy = _Column()  # as a whole and in its waves [J]
     peak_acceleration = _Column()  # of a rigid impactor [m/s2]
     peak_displacement = _Column()  # of the struck face of what is held [m]
     peak_deflection = _Column()  # of a held beam, anywhere [m]

@@ -20,10 +20,11 @@ from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..solve import solve
 from ..validation import SceneError, allowed
-from .figures import FIGURES, LOOKED_FOR, Figures, asked_for, figures_of
+from .figures import FIGURES, USUAL, Figures, asked_for, figures_of
 from .mass_ratios import TERMS
 from .varied import takes_whole_numbers, unit_of, with_values
 
+WIDE = 100.0  # times the lowest value: ranges from there on are spaced by a factor
 MOST_VALUES = 2_000
 MOST_QUICK = 1_000_000  # of impacts of a mass on a rod
 CHUNK = 500  # of them that a thread takes at once
@@ -39,7 +40,7 @@ def spaced(low: float, high: float, count: int = 21, spacing: str | None = None)
     if not (np.isfinite(low) and np.isfinite(high) and low < high):
         raise SceneError("range", (low, high), allowed("range"))
     if spacing is None:
-        spacing = "log" if low > 0.0 and high / low >= 100.0 else "linear"
+        spacing = "log" if low > 0.0 and high / low >= WIDE else "linear"
     validation.choice("spacing", spacing, ("linear", "log"))
     if spacing == "log":
         if low <= 0.0:
@@ -108,7 +109,7 @@ def _solved(
 
 def _quick(scene: Scene, method: str | Method | None, figures: Sequence[str]) -> bool:
     """Whether the exact waves of a rigid mass on one rod are wanted, until the bodies part for good, and no fields."""
-    if not LOOKED_FOR.keys().isdisjoint(figures):
+    if not USUAL.keys() >= set(figures):
         return False
     name = scene.method.get("name", Waves.NAME) if method is None else method
     options = scene.method.keys() - {"name"} if method is None else ()

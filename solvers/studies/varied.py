@@ -53,5 +53,12 @@ def value_of(scene: Scene, key: str) -> Any:
                 found = None
         if found is not None:
             return found
-    scene.replace({key: math.nan})  # refused: what is allowed
+    if key.startswith("method."):
+        options = read_method(scene.method, scene)[0].table()
+        if options.get(key.removeprefix("method.")) is not None:
+            return options[key.removeprefix("method.")]
+    try:
+        scene.replace({key: math.nan})
+    except SceneError as refused:  # what is allowed
+        raise SceneError(refused.key, None, refused.reason) from None
     raise SceneError(key, None, allowed("differentiable"))

@@ -24,7 +24,8 @@ def test_import_contracts_hold():
 def test_the_library_loads_neither_the_page_nor_anything_slow():
     call = (
         "import sys, solvers; "
-        "slow = ('app', 'panel', 'param', 'bokeh', 'holoviews', 'xarray', 'tornado', 'solvers.notebook'); "
+        "slow = ('app', 'panel', 'param', 'bokeh', 'holoviews', 'xarray', 'tornado', 'solvers.notebook', "
+        "'dask', 'distributed'); "
         "print([name for name in slow if name in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", call], cwd=ROOT, capture_output=True, text=True, timeout=SECONDS)

@@ -5,6 +5,7 @@ import re
 import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from hashlib import sha256
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ import numpy as np
 from ... import validation
 from ...scene import Scene
 from ...validation import SceneError, allowed
-from ..sweep import spaced
+from ..sweep import WIDE, spaced
 from ..varied import takes_whole_numbers, value_of
 
 NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
@@ -29,6 +30,9 @@ LAWS = {  # of chance, by name: what its numbers are
     "lognormal": ("median", "deviation of the logarithm"),
 }
 USUAL_COUNT = 21
+VALUES = (bool, int, float, str, Mapping)  # what a scene file has
+MIDDLES = (np.arange(33) + 0.5) / 33  # shares at which an own distribution is known again
+PAIRS = re.compile(r"\([^()]*\)(?:\s*,\s*\([^()]*\))*")
 
 
 @dataclass(frozen=True)
@@ -38,18 +42,29 @@ class Axis:
     keys: tuple[str, ...]
     rows: tuple[tuple[Any, ...], ...] = ()
     law: "Chance | None" = None
+    own: tuple[float, ...] = ()  # values of the scene of which the law is a share
+    whole: bool = False  # whether what is drawn is rounded
 
     @property
     def name(self) -> str:
         """That of the dimension: its first key."""
         return self.keys[0]
 
+    @property
+    def words(self) -> str:
+        """What is said of its values."""
+        return self.law.text if self.law else ", ".join(str(row[0] if len(set(row)) == 1 else row) for row in self.rows)
+
     def at(self, shares: np.ndarray) -> list[tuple[Any, ...]]:
         """A row for each share from 0 to 1 of what is to come before it."""
         if self.law is None:
             places = np.minimum((shares * len(self.rows)).astype(int), len(self.rows) - 1)
             return [self.rows[place] for place in places.tolist()]
-        return [(value,) * len(self.keys) for value in self.law.quantiles(shares).tolist()]
+        drawn = self.law.quantiles(shares)
+        columns = [drawn * value for value in self.own] or [drawn] * len(self.keys)
+        return list(
+            zip(*((np.rint(each).astype(int) if self.whole else each).tolist() for each in columns), strict=True)
+        )
 
     def table(self) -> dict[str, Any]:
         """As plain lists and words."""
@@ -77,6 +92,7 @@ def axes_of(scene: Scene, vary: Mapping[Any, Any], drawn: bool) -> tuple[Axis, .
     """
     if not isinstance(vary, Mapping) or not vary:
         raise SceneError("vary", vary or None, allowed("study-vary"))
+    scene = _by_first_method(scene, vary)
     found = tuple(_axis(scene, key, given, drawn) for key, given in vary.items())
     keys = [key for axis in found for key in axis.keys]
     twice = next((key for key in keys if keys.count(key) > 1), None)
@@ -85,20 +101,34 @@ def axes_of(scene: Scene, vary: Mapping[Any, Any], drawn: bool) -> tuple[Axis, .
     return found
 
 
+def _by_first_method(scene: Scene, vary: Mapping[Any, Any]) -> Scene:
+    """The scene by the first method that is varied, whose options other keys may be."""
+    given = vary.get("method.name", ())
+    names = parse_values("method.name", given) if isinstance(given, str) else list(given)
+    try:
+        return scene.replace({"method.name": names[0]}) if names else scene
+    except SceneError:
+        return scene
+
+
 def _axis(scene: Scene, key: Any, given: Any, drawn: bool) -> Axis:
-    keys = tuple(name.strip() for name in (key.split(",") if isinstance(key, str) else map(str, key)))
-    if not all(keys) or not keys:
+    names = key.split(",") if isinstance(key, str) else key if isinstance(key, tuple) else ()
+    keys = tuple(name.strip() for name in names if isinstance(name, str))
+    if not keys or not all(keys) or len(keys) != len(names):
         raise SceneError("vary", key, allowed("study-vary"))
     if hasattr(given, "ppf"):
-        return Axis(keys, law=Chance(_named(given), given))
+        return _by_law(scene, keys, Chance(_named(keys[0], given), given))
     if isinstance(given, str):
         spread = _spread(scene, keys, given.strip(), drawn)
         if spread is not None:
             return spread
         given = parse_values(keys[0], given)
-    elif isinstance(given, (int, float)) or not isinstance(given, Iterable):
+    elif isinstance(given, Mapping) or not isinstance(given, Iterable) or getattr(given, "ndim", 1) == 0:
         given = [given]
     rows = tuple(_row(keys, value) for value in validation.plain(list(given)))
+    for value in sum(rows, ()):
+        if not isinstance(value, VALUES) or (isinstance(value, float) and not math.isfinite(value)):
+            raise SceneError(keys[0], value, allowed("study-values"))
     if not rows:
         raise SceneError(keys[0], [], allowed("study-values"))
     return Axis(keys, rows)
@@ -118,30 +148,49 @@ def _spread(scene: Scene, keys: tuple[str, ...], given: str, drawn: bool) -> Axi
     if span := RANGE.fullmatch(given):
         return _range(scene, keys, span, drawn)
     if share := SHARE.fullmatch(given):
-        value, part = number_of(scene, keys[0]), 0.01 * validation.number(keys[0], float(share["percent"]), 1e-9, 1e3)
-        return Axis(keys, law=_chance(keys[0], "uniform", [value - part * abs(value), value + part * abs(value)]))
+        first, part = keys[0], 0.01 * validation.number(keys[0], float(share["percent"]), 1e-9, 1e3)
+        if len(keys) > 1:
+            own = tuple(number_of(scene, key) for key in keys)
+            return Axis(keys, law=_chance(first, "uniform", [1.0 - part, 1.0 + part]), own=own)
+        value = number_of(scene, first)
+        ends = sorted((value * (1.0 - part), value * (1.0 + part)))
+        return _by_law(scene, keys, _chance(first, "uniform", ends))
     law = LAW.fullmatch(given)
-    if law is None:
+    if law is None and ".." not in given and not given.endswith("%"):
         return None
-    if law["name"] not in LAWS:
+    if law is None or law["name"] not in LAWS:
         raise SceneError(keys[0], given, allowed("distribution", options=list(LAWS)))
     try:
         numbers = [float(each) for each in law["numbers"].split(",")]
     except ValueError:
         numbers = []
-    return Axis(keys, law=_chance(keys[0], law["name"], numbers, given))
+    return _by_law(scene, keys, _chance(keys[0], law["name"], numbers, given))
+
+
+def _by_law(scene: Scene, keys: tuple[str, ...], law: Chance) -> Axis:
+    """Raises SceneError for one that has not one number for each share."""
+    try:
+        middle = float(law.quantiles(MIDDLES)[16])
+    except (TypeError, ValueError, IndexError):
+        middle = math.nan
+    if not math.isfinite(middle):
+        raise SceneError(keys[0], law.text, allowed("distribution", options=list(LAWS)))
+    return Axis(keys, law=law, whole=takes_whole_numbers(scene, keys[0], float(round(middle))))
 
 
 def _range(scene: Scene, keys: tuple[str, ...], span: re.Match[str], drawn: bool) -> Axis:
     low, high = float(span["low"]), float(span["high"])
     count = USUAL_COUNT if span["count"] is None else int(span["count"])
+    if drawn and span["count"] is not None:
+        raise SceneError(keys[0], span[0], allowed("drawn-range"))
     try:
         values = spaced(low, high, 2 if drawn else count, span["spacing"])
     except SceneError as refused:
         raise SceneError(f"{keys[0]}: {refused.key}", refused.value, refused.reason) from None
-    whole = takes_whole_numbers(scene, keys[0], low)
+    whole = any(takes_whole_numbers(scene, keys[0], float(end)) for end in (math.ceil(low), math.floor(high)))
     if drawn and not whole:
-        spacing = "loguniform" if span["spacing"] == "log" else "uniform"
+        wide = span["spacing"] is None and low > 0.0 and high / low >= WIDE
+        spacing = "loguniform" if span["spacing"] == "log" or wide else "uniform"
         return Axis(keys, law=_chance(keys[0], spacing, [low, high]))
     if whole:
         first, last = math.ceil(low), math.floor(high)
@@ -153,7 +202,7 @@ def _range(scene: Scene, keys: tuple[str, ...], span: re.Match[str], drawn: bool
 def _chance(key: str, name: str, numbers: list[float], given: str | None = None) -> Chance:
     from scipy import stats  # half a second, which nothing else here needs
 
-    text = given or f"{name}({', '.join(f'{number:.17g}' for number in numbers)})"
+    text = given or f"{name}({', '.join(map(repr, numbers))})"
     above = {"normal": numbers[1:], "loguniform": numbers, "lognormal": numbers}.get(name, [1.0])  # zero
     fits = len(numbers) == len(LAWS[name]) and all(map(math.isfinite, numbers)) and min(above) > 0.0
     if name not in ("normal", "lognormal"):
@@ -172,10 +221,15 @@ def _chance(key: str, name: str, numbers: list[float], given: str | None = None)
     return Chance(text, stats.triang((mode - low) / (high - low), low, high - low))
 
 
-def _named(frozen: Any) -> str:
-    """A frozen distribution in words, so that it is known again."""
+def _named(key: str, frozen: Any) -> str:
+    """A frozen distribution in words, with letters that change with it, so that it is known again."""
     given = [*map(str, getattr(frozen, "args", ())), *(f"{k}={v}" for k, v in getattr(frozen, "kwds", {}).items())]
-    return f"{getattr(getattr(frozen, 'dist', frozen), 'name', type(frozen).__name__)}({', '.join(given)})"
+    name = getattr(getattr(frozen, "dist", frozen), "name", None) or type(frozen).__name__
+    try:
+        known = sha256(np.asarray(frozen.ppf(MIDDLES), float).tobytes()).hexdigest()[:8]
+    except (TypeError, ValueError):
+        raise SceneError(key, name, allowed("distribution", options=list(LAWS))) from None
+    return f"{name}({', '.join(given)[:60]}) {known}"
 
 
 def parse_values(key: str, written: str) -> list[Any]:
@@ -185,6 +239,8 @@ def parse_values(key: str, written: str) -> list[Any]:
         return tomllib.loads(f"value = [{listed}]")["value"]
     except (ValueError, RecursionError):
         pass
+    if PAIRS.fullmatch(written.strip()):
+        return [[_value(word.strip()) for word in pair.split(",")] for pair in re.findall(r"\(([^()]*)\)", written)]
     words = [word.strip() for word in written.split(",")]
     if not all(words) or any("(" in word or ")" in word for word in words):
         raise SceneError(key, written, allowed("study-values"))

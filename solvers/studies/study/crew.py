@@ -1,4 +1,4 @@
-"""Who solves the points of a study: processes of this machine, any of which may be killed."""
+"""Who solves the points of a study: a crew, of which any process may be killed, such as those of this machine."""
 
 import multiprocessing
 import os
@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from typing import Protocol
 
 from threadpoolctl import threadpool_limits
 
@@ -26,8 +27,40 @@ PARENT = 1.0  # s between looks at whether there still is one
 Span = tuple[int, int]  # of points, from the first up to the second
 
 
+class Crew(Protocol):
+    """Processes that solve parts, wherever they are."""
+
+    @property
+    def broken(self) -> tuple[type[BaseException], ...]:
+        """What a part raises whose process has ended."""
+        ...
+
+    @property
+    def workers(self) -> int:
+        """How many parts are solved side by side."""
+        ...
+
+    def submit(self, work: Work, rows: list) -> "Future[Part]":
+        """Begin one part."""
+        ...
+
+    def renew(self) -> None:
+        """After some have ended: others in their place, and nothing under way."""
+        ...
+
+    def alone(self, work: Work, rows: list) -> Part | None:
+        """One part while nothing else is under way; None if its process ends before it is done."""
+        ...
+
+    def close(self) -> None:
+        """Nothing is solved any more, nor is there anybody who would."""
+        ...
+
+
 class Processes:
     """As many as are asked for; those that come after some have ended are new ones."""
+
+    broken = (BrokenProcessPool,)
 
     def __init__(self, workers: int):
         self.workers = workers
@@ -59,6 +92,33 @@ class Processes:
         self.pool.shutdown(wait=True, cancel_futures=True)
 
 
+class Here:
+    """In this process, where it may have no others: as one of a pool has not."""
+
+    broken: tuple[type[BaseException], ...] = ()
+    workers = 1
+
+    def submit(self, work: Work, rows: list) -> "Future[Part]":
+        """It is done at once."""
+        done: Future[Part] = Future()
+        done.set_result(work(rows))
+        return done
+
+    def renew(self) -> None:
+        """None has ended."""
+
+    def alone(self, work: Work, rows: list) -> Part | None:
+        return work(rows)
+
+    def close(self) -> None:
+        """None is there."""
+
+
+def crew_of(workers: int) -> Crew:
+    """Processes, unless this one may have none."""
+    return Here() if multiprocessing.current_process().daemon else Processes(workers)
+
+
 def _begin(parent: int) -> None:
     """Of a worker: interrupts are heard by the one that began it, and without that one there is nothing to do."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -88,11 +148,18 @@ class Spans:
             stop = start + size
         return start, stop
 
+    def give_back(self, span: Span) -> None:
+        """It is taken next."""
+        self.left.append(span)
+
 
 def solved(
-    work: Work, design: Design, left: Iterable[Span], crew: Processes, cancelled: Callable[[], bool]
+    work: Work, design: Design, left: Iterable[Span], crew: Crew, cancelled: Callable[[], bool]
 ) -> Iterator[tuple[Span, Part]]:
-    """Each part as it is done. The first is one point, alone: what must be compiled is compiled once."""
+    """Each part as it is done. The first is one point, alone: what must be compiled is compiled once.
+
+    Once it is cancelled, what has not begun is not solved, nor what a cluster can leave off.
+    """
     spans, size, running = Spans(left), 1, {}
     most = 1
     while True:
@@ -101,16 +168,21 @@ def solved(
             if span is None:
                 break
             running[crew.submit(work, design.rows(*span))] = span
+        if cancelled():
+            running = {future: span for future, span in running.items() if not future.cancel()}
         if not running:
             return
         done, _ = wait(running, LOOK, FIRST_COMPLETED)
         for future in done:
             try:
                 part = future.result()
-            except BrokenProcessPool:
-                broken, running = list(running.values()), {}
+            except crew.broken:
+                suspects = [span for future, span in running.items() if _ended(future, crew)]
+                for span in set(running.values()).difference(suspects):
+                    spans.give_back(span)
+                running = {}
                 crew.renew()
-                for span in broken:
+                for span in suspects:
                     yield span, _with_care(work, design, span, crew)
                 break
             span, most = running.pop(future), AHEAD * crew.workers
@@ -118,7 +190,12 @@ def solved(
             yield span, part
 
 
-def _with_care(work: Work, design: Design, span: Span, crew: Processes) -> Part:
+def _ended(future: "Future[Part]", crew: Crew) -> bool:
+    """Whether its process has, as far as is known."""
+    return future.done() and not future.cancelled() and isinstance(future.exception(), crew.broken)
+
+
+def _with_care(work: Work, design: Design, span: Span, crew: Crew) -> Part:
     """A part of which a process may have ended: smaller and smaller, until the point is known at which it does."""
     start, stop = span
     part = crew.alone(work, design.rows(start, stop))

@@ -14,8 +14,10 @@ from ...validation import SceneError, allowed
 from .axes import Axis, axes_of
 
 SAMPLES = ("grid", "random", "lhs", "sobol")
+PAIRED = "saltelli"  # two samples, and those between them: see `paired_design`
 MOST_POINTS = 10_000_000  # whose figures are held all at once, in some 2 GB
 USUAL_DRAWN = 1_000
+LEAST_PAIRED = 8  # of which there is something to estimate
 
 
 @dataclass(frozen=True)
@@ -54,7 +56,13 @@ class Design:
         from scipy.stats import qmc
 
         count = len(self.axes)
-        if self.sample == "random":
+        if self.sample == PAIRED:
+            samples = self.size // (count + 2)
+            both = qmc.Sobol(2 * count, rng=self.seed, bits=64).random_base2(samples.bit_length() - 1)
+            first, second = both[:, :count], both[:, count:]
+            whole = [first, second, *(np.where(np.arange(count) == of, second, first) for of in range(count))]
+            shares = np.concatenate(whole)
+        elif self.sample == "random":
             shares = np.random.default_rng(self.seed).random((self.size, count))
         elif self.sample == "lhs":
             shares = qmc.LatinHypercube(count, rng=self.seed).random(self.size)
@@ -90,3 +98,14 @@ def design_of(scene: Scene, vary: Mapping[Any, Any], sample: str | None, points:
     if size > MOST_POINTS:
         raise SceneError("vary", f"{size:.3g} points", allowed("study-points", most=MOST_POINTS))
     return Design(axes, sample, size)
+
+
+def paired_design(scene: Scene, vary: Mapping[Any, Any], samples: int, seed: int) -> Design:
+    """Drawn for indices of variance: so many points A, as many B, then for each axis A with its values of B alone.
+
+    `samples` is rounded up to a power of two, as Sobol sequences are even then. Raises SceneError as `design_of` does.
+    """
+    seed = validation.whole_number("seed", seed, 0, 2**32 - 1)
+    axes = axes_of(scene, vary, True)
+    samples = validation.whole_number("points", samples, LEAST_PAIRED, MOST_POINTS // (len(axes) + 2))
+    return Design(axes, PAIRED, 2 ** (samples - 1).bit_length() * (len(axes) + 2), seed)

@@ -2,10 +2,12 @@
 
 import json
 import os
-import shutil
+import re
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -15,6 +17,7 @@ from .work import Part
 
 ABOUT = "about.json"
 NAME = "{:012d}-{:012d}.npz"  # first point, and the first after it
+SPAN = re.compile(r"\d{12}-\d{12}", re.ASCII)
 ARRAYS = ("figures", "refused", "reason", "notes")
 
 
@@ -30,8 +33,14 @@ class Parts:
         if known.exists():
             if not resume:
                 raise SceneError("out", str(self.folder), allowed("new-study"))
-            same_study(json.loads(known.read_text("utf-8")), about, str(self.folder))
+            try:
+                before = json.loads(known.read_text("utf-8"))
+            except ValueError:  # written by something else
+                before = {}
+            same_study(before, about, str(self.folder))
             return
+        if self.folder.exists() and (not self.folder.is_dir() or any(self.folder.iterdir())):
+            raise SceneError("out", str(self.folder), allowed("own-parts"))
         self.folder.mkdir(parents=True, exist_ok=True)
         written = self.folder / f"{ABOUT}.new"
         written.write_text(json.dumps(about), "utf-8")
@@ -51,18 +60,27 @@ class Parts:
 
     def spans(self) -> list[Span]:
         """Of all that are there, in order."""
-        names = sorted(path.stem for path in self.folder.glob("*-*.npz"))
+        names = sorted(path.stem for path in self.folder.glob("*-*.npz") if SPAN.fullmatch(path.stem))
         return [(int(start), int(stop)) for start, _, stop in (name.partition("-") for name in names)]
 
     def read(self) -> Iterator[tuple[Span, Part]]:
         """All that are there, one at a time."""
         for span in self.spans():
-            with np.load(self.folder / NAME.format(*span)) as found:
-                yield span, Part(*(found[name] for name in ARRAYS))
+            path = self.folder / NAME.format(*span)
+            try:
+                with np.load(path) as found:
+                    part = Part(*(found[name] for name in ARRAYS))
+            except (ValueError, KeyError, EOFError, BadZipFile):
+                raise SceneError("resume", str(path), allowed("whole-part")) from None
+            yield span, part
 
     def end(self) -> None:
-        """All is in its file now."""
-        shutil.rmtree(self.folder)
+        """All is in its file now. What is of somebody else stays."""
+        for path in self.folder.iterdir():
+            if path.name.startswith(ABOUT) or SPAN.match(path.name):
+                path.unlink()
+        with suppress(OSError):
+            self.folder.rmdir()
 
 
 class Held:

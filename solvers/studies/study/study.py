@@ -5,9 +5,12 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from ... import validation
 from ...methods.base import Method, never
@@ -17,11 +20,13 @@ from ...scenes.library import SceneOrName, scene_of, to_toml
 from ...validation import SceneError, allowed
 from ..figures import FIGURES, asked_for
 from ..varied import unit_of
-from .crew import Processes, solved
+from .cluster import cluster_of
+from .crew import Crew, crew_of, solved
 from .design import Design, design_of
 from .parts import Held, Parts, left_of, same_study
 from .work import Work
 
+LOOKED_AT = 33  # points before any is solved
 ENDINGS = {".nc": "", ".zarr": "zarr", ".parquet": "pyarrow", ".csv": ""}  # with the package that each needs
 
 
@@ -54,6 +59,7 @@ def study(
     out: str | Path | None = None,
     resume: bool = False,
     workers: int | None = None,
+    cluster: Any = None,
     progress: Callable[[Progress], Any] | None = None,
     cancelled: Callable[[], bool] = never,
 ) -> Any:
@@ -69,10 +75,10 @@ def study(
     they are not looked for, and a rigid mass on one rod takes 20 microseconds. Dimensions: the keys, or `point`.
     Attributes: what makes another study of it. No point is left out, whatever it raises, or if it ends its process.
     `out`: a file .nc, .zarr, .parquet or .csv; what is done is kept beside it in `OUT.parts`, from where it goes on
-    with `resume`. `workers`: processes, one on each processor unless it says otherwise; no result hangs on that.
-    `cancelled()` true: what is left is refused as "not-solved". At most 1e7 points.
-    Raises SceneError naming what cannot be: ranges, distributions, files of another study; OSError where nothing can
-    be written; ImportError without the extra `notebook`. Cost: the solves, shared by the workers.
+    with `resume`. `workers`: processes, one on each processor unless it says otherwise; or `cluster`: of Dask,
+    "tcp://HOST:PORT", "local:N" or a `distributed.Client`. No result hangs on who solves it. `cancelled()` true: what
+    is left is refused as "not-solved". At most 1e7 points. Raises SceneError naming what cannot be: ranges, files of
+    another study, clusters; OSError where nothing can be written; ImportError without the extra `notebook`.
     """
     from ...notebook import datasets  # loads xarray, which nothing else here needs
 
@@ -80,33 +86,75 @@ def study(
     design = design_of(scene, vary, sample, points, seed)
     names = asked_for(figures)
     work = Work(scene, design.keys, names, method, notes)
-    workers = processors() if workers is None else validation.whole_number("workers", workers, 1, MOST)
     path = None if out is None else file_of(out)
     if resume and path is None:
         raise SceneError("resume", True, allowed("with-file"))
-    about = _about(work, design)
+    none_allowed(work, design)
+    about, crew = _about(work, design), _crew(workers, cluster, design.size)
     if path is not None and path.exists():
         same_study(datasets.study_in(path), about, str(path)) if resume else _refuse(path)
         if progress is not None:
             progress(Progress(design.size, design.size, design.size, 0.0))
         return datasets.read_study(path)
     parts = Held() if path is None else Parts(path.with_name(f"{path.name}.parts"))
-    parts.begin(about, resume)
-    _finish(work, design, parts, workers, cancelled, progress)
-    units = {key: unit_of(scene, key) for key in design.keys}
-    kinds = {name: FIGURES[name][0] for name in names}
-    found = datasets.study(design, parts.read(), kinds, units, about)
+    with closing(crew()) as solving:
+        parts.begin(about, resume)
+        _finish(work, design, parts, solving, cancelled, progress)
+    found = _dataset(work, design, parts, about)
     if path is not None and not left_of(design.size, parts.spans()):
         datasets.write_study(found, path)
         parts.end()
     return found
 
 
+def none_allowed(work: Work, design: Design) -> None:
+    """Raises SceneError, that of the first, where none of some points all over the design can be solved, as when a key
+    is misspelt; and where a method that is given stands beside keys of methods."""
+    named = next((key for key in design.keys if key.partition(".")[0] == "method"), None)
+    if named is not None and work.method is not None:
+        raise SceneError("method", _named(work.method), allowed("nothing-beside", other=named))
+    first: SceneError | None = None
+    for point in sorted({round(share * (design.size - 1)) for share in np.linspace(0.0, 1.0, LOOKED_AT)}):
+        try:
+            work.allow(design.rows(point, point + 1)[0])
+        except SceneError as refused:
+            first = first or refused
+        else:
+            return
+    assert first is not None
+    raise first
+
+
+def _named(method: str | Method) -> str:
+    return method.NAME if isinstance(method, Method) else method
+
+
+def crew_size(workers: int | None) -> int:
+    """How many processes: one on each processor unless it is given. Raises SceneError for what is no such number."""
+    return processors() if workers is None else validation.whole_number("workers", workers, 1, MOST)
+
+
+def points_of(work: Work, design: Design, workers: int, progress: Callable[[Progress], Any] | None = None) -> Any:
+    """The Dataset of a design, all of it solved, in memory alone."""
+    parts = Held()
+    with closing(crew_of(min(workers, design.size))) as crew:
+        _finish(work, design, parts, crew, never, progress)
+    return _dataset(work, design, parts, _about(work, design))
+
+
+def _dataset(work: Work, design: Design, parts: Parts | Held, about: dict[str, Any]) -> Any:
+    from ...notebook import datasets
+
+    units = {key: unit_of(work.scene, key) for key in design.keys}
+    kinds = {name: FIGURES[name][0] for name in work.figures}
+    return datasets.study(design, parts.read(), kinds, units, about)
+
+
 def _finish(
     work: Work,
     design: Design,
     parts: Parts | Held,
-    workers: int,
+    crew: Crew,
     cancelled: Callable[[], bool],
     progress: Callable[[Progress], Any] | None,
 ) -> None:
@@ -119,25 +167,31 @@ def _finish(
             progress(Progress(done, resumed, design.size, time.perf_counter() - begun))
 
     report()
-    if done == design.size:
-        return
-    with closing(Processes(min(workers, design.size - done))) as crew:
-        for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled):
-            parts.keep((start, stop), part)
-            done += stop - start
-            report()
+    for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled):
+        parts.keep((start, stop), part)
+        done += stop - start
+        report()
 
 
-def file_of(out: str | Path) -> Path:
+def _crew(workers: int | None, cluster: Any, points: int) -> Callable[[], Crew]:
+    """Who is to solve it, once that begins. Raises SceneError for both at once."""
+    if cluster is not None and workers is not None:
+        raise SceneError("workers", workers, allowed("workers-or-cluster"))
+    if cluster is not None:
+        return partial(cluster_of, cluster)
+    return partial(crew_of, min(crew_size(workers), points))
+
+
+def file_of(out: str | Path, option: str = "out") -> Path:
     """Where it is written. Raises SceneError for what can be no such file."""
     path = Path(out)
     if path.suffix not in ENDINGS:
-        raise SceneError("out", str(out), allowed("study-file", options=list(ENDINGS)))
+        raise SceneError(option, str(out), allowed("study-file", options=list(ENDINGS)))
     package = ENDINGS[path.suffix]
     if package and find_spec(package) is None:
-        raise SceneError("out", str(out), allowed("study-package", package=package))
+        raise SceneError(option, str(out), allowed("study-package", package=package))
     if not path.parent.is_dir():
-        raise SceneError("out", str(out), allowed("study-folder"))
+        raise SceneError(option, str(out), allowed("study-folder"))
     return path
 
 

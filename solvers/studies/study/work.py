@@ -1,16 +1,17 @@
 """What is done at the points of a study, in whichever process: figures, notes, or why there are none."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ...methods.base import Method
+from ...methods.base import Method, SceneNotSupported
 from ...scene import Scene
 from ...solution.solution import Solution
 from ...solve import chosen_method
+from ...text.notes import Severity
 from ...validation import SceneError, allowed
 from ..figures import figures_of
 from ..sweep import quick_columns, solve_many
@@ -42,6 +43,12 @@ class Work:
     figures: tuple[str, ...]
     method: str | Method | None
     notes: bool  # whether they are looked for
+    trusted: bool = False  # figures of which a note says that they are not to be trusted stand as refused
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """To another process the scene goes as tables, of which `Scene.replace` makes others here, too."""
+        tables = self.scene.given or self.scene.table()
+        return _read, (tables, self.keys, self.figures, self.method, self.notes)
 
     def __call__(self, rows: Sequence[tuple[Any, ...]]) -> Part:
         """Of each row; nothing that it raises ends the study."""
@@ -67,24 +74,42 @@ class Work:
 
     def _solved(self, row: tuple[Any, ...]) -> tuple[list[float], str, str, str]:
         try:
-            solution = self._solve(dict(zip(self.keys, row, strict=True)))
+            solution = self._solve(row)
             found = [np.nan if value is None else float(value) for value in figures_of(solution, self.figures)]
-            codes = [note.code for note in solution.notes] if self.notes else []
+            codes = " ".join(dict.fromkeys(note.code for note in solution.notes)) if self.notes else ""
+            wrong = [note for note in solution.notes if note.severity is Severity.INVALID] if self.trusted else []
         except SceneError as refused:
             return [np.nan] * len(self.figures), refused.reason.code, str(refused), ""
         except Exception as error:  # the others are to be solved all the same
             said = f"{type(error).__name__}: {error}"[:300]
             return [np.nan] * len(self.figures), FAILED, said, ""
-        return found, "", "", " ".join(dict.fromkeys(codes))
+        if wrong:
+            return [np.nan] * len(self.figures), wrong[0].code, str(wrong[0]), codes
+        return found, "", "", codes
 
-    def _solve(self, changes: dict[str, Any]) -> Solution:
-        scene = self.scene.replace(changes)
+    def read(self, row: tuple[Any, ...]) -> tuple[Scene, Method, float | None]:
+        """The scene with these values, and by what it is solved, up to which duration [s]. Raises SceneError."""
+        scene = self.scene.replace(dict(zip(self.keys, row, strict=True)))
         if scene.normal is not None:
             raise SceneError("scene", scene.title, allowed("scenes-on-axis"))
-        method, duration = chosen_method(scene, self.method)
+        return scene, *chosen_method(scene, self.method)
+
+    def allow(self, row: tuple[Any, ...]) -> None:
+        """Raises SceneError for what can be seen to be refused before it is solved."""
+        scene, method, _ = self.read(row)
+        reason = method.refusal(scene)
+        if reason is not None:
+            raise SceneNotSupported("method.name", method.NAME, reason)
+
+    def _solve(self, row: tuple[Any, ...]) -> Solution:
+        scene, method, duration = self.read(row)
         if not self.notes and "estimated_error" not in self.figures:
             method = method.without_estimate()
         return method.solve_in_full(scene, duration)
+
+
+def _read(tables: Mapping[str, Any], *others: Any) -> Work:
+    return Work(Scene.from_table(tables), *others)
 
 
 def crashed(figures: Sequence[str], reason: str) -> Part:

@@ -40,6 +40,13 @@ sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
 study fixed-rod --vary impactor.velocity=0.5..1.5:2 --vary contact.law=rigid,velvet
 study fixed-rod --vary impactor.velocity
 study fixed-rod
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that peak_stress<=1e8 --solves 60
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that peak_stress<=1 --solves 60
+optimise fixed-rod --vary impactor.mass=1..3
+plot nowhere.nc
+plot map.nc --out map.png
+plot --help
+uncertain fixed-rod --tolerance impactor.mass=uniform(1,3) --points 9 --figure impulse --figure contacts
 convergence fixed-rod --modes 2,4,8,16
 ensemble fixed-rod --runs 10
 gradient fixed-rod
@@ -84,7 +91,7 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
-    *("study", "velvet"),
+    *("study", "optimise", "velvet", "uncertain", "plot", "file", "NAME"),
     *(
         "plan",
         "joints",

@@ -32,7 +32,8 @@ def test_the_summary_as_json(capsys):
 
 def test_a_file_is_written_once_and_gone_on_with(capsys, tmp_path):
     path = str(tmp_path / "map.nc")
-    call = (*CALL, "--distribution", "impactor.velocity=5%", "--points", "20", "--seed", "3", "--out", path)
+    drawn = ("--distribution", "impactor.velocity=5%", "--vary", "contact.law=rigid,velvet")
+    call = ("study", "fixed-rod", *drawn, "--points", "20", "--seed", "3", "--out", path)
     said = answer(capsys, *call)
     assert f"written: {path}" in said and "20 points (point 20)" in said
     with xarray.open_dataset(path) as found:
@@ -53,6 +54,8 @@ def test_a_file_is_written_once_and_gone_on_with(capsys, tmp_path):
         (("--vary", "impactor.mass=1,2", "--seed", "1.5"), "--seed: got '1.5'"),
         (("--vary", "impactor.mass=1,2", "--sample", "dice"), "'lhs'"),
         (("--vary", "impactor.mass=1,2", "--workers", "0"), "workers"),
+        (("--vary", "impactor.mass=1,2", "--cluster", "nonsense"), "cluster: got 'nonsense'; allowed: tcp://HOST:PORT"),
+        (("--vary", "impactor.mass=1,2", "--cluster", "local:2", "--workers", "2"), "nothing beside cluster"),
         (("--vary", "impactor.mass=1,2", "--figure", "beauty"), "'peak_force'"),
         (("--vary", "impactor.mass=1,2", "--out", "map.png"), "'.nc'"),
         (("--vary", "impactor.mass=1,2", "--out", "/nowhere/map.nc"), "a folder that is there"),
@@ -76,6 +79,23 @@ def test_a_disk_that_cannot_be_written_is_one_line(capsys, tmp_path, monkeypatch
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="by a signal")
+@pytest.mark.parametrize("after", [0.1, 0.3, 0.8])
+def test_an_interrupt_while_modules_are_read_shows_no_trace(after):
+    call = [
+        sys.executable,
+        "-c",
+        "import sys; from app.command.entry import run; print(1, flush=True); sys.exit(run())",
+    ]
+    begun = subprocess.Popen([*call, "scenes"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    begun.stdout.readline()
+    time.sleep(after)
+    begun.send_signal(signal.SIGINT)
+    _, err = begun.communicate(timeout=SECONDS)
+    assert "Traceback" not in err and begun.returncode in (0, 130)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="by a signal")
 def test_an_interrupt_keeps_what_is_done(tmp_path):
     path = tmp_path / "map.csv"
     call = [sys.executable, "-m", "app.command", "study", "bronze-rod-steel-ball", "--out", str(path)]
@@ -88,4 +108,4 @@ def test_an_interrupt_keeps_what_is_done(tmp_path):
     begun.send_signal(signal.SIGINT)
     out, err = begun.communicate(timeout=SECONDS)
     assert begun.returncode == 130 and "Traceback" not in err
-    assert "still to do" in out and "--resume goes on" in err and not path.exists()
+    assert "still to do" in out and "written" not in out and "--resume goes on" in err and not path.exists()

@@ -98,6 +98,8 @@ NEEDED = {  # besides the scene
     "sweep": {"values": [1.0], "key": "impactor.mass"},
     "seek": {"key": "impactor.mass", "between": (1.0, 2.0), "such_that": {"peak_force": 1.0}},
     "study": {"vary": {"impactor.mass": [1.0]}},
+    "uncertain": {"tolerances": {"impactor.mass": "5%"}},
+    "optimise": {"vary": {"impactor.mass": (1.0, 2.0)}, "minimise": "peak_force"},
 }
 TAKE_SCENES = {
     name: NEEDED.get(name, {})

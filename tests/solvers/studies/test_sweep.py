@@ -262,3 +262,18 @@ def test_keys_of_whole_numbers_get_each_of_them_once():
 def test_the_value_that_cannot_be_solved_is_named(key, values, said):
     with pytest.raises(SceneError, match=said):
         sweep(solvers.load("fixed-rod"), key, values)
+
+
+def test_what_bodies_hold_at_the_end_is_a_figure_where_it_is_asked_for():
+    """A piston with the impedance of the rod hands all on; others, as waves are sent back and on at the step."""
+    found = solvers.solve_many(
+        "split-hopkinson", {"impactor.velocity": [1.0, 2.0]}, figures=["impactor_energy", "target_energy"]
+    )
+    scene = solvers.load("split-hopkinson").replace({"impactor.velocity": 2.0})
+    energy = solvers.solve(scene).energy
+    assert found.impactor_energy[1] == approx(energy["impactor"], rel=1e-12)
+    assert found.target_energy[1] == approx(energy["target_rigid"] + energy["target_vibration"], rel=1e-12)
+    assert found.target_energy[1] == approx(4.0 * found.target_energy[0], rel=1e-9)
+    quick = solvers.solve_many("fixed-rod", {"impactor.mass": [1.0, 2.0]}, figures=["impactor_energy", "target_energy"])
+    held = 0.5 * np.array([1.0, 2.0]) * solvers.load("fixed-rod").impactor.velocity ** 2
+    assert quick.impactor_energy + quick.target_energy == approx(held, rel=1e-12)

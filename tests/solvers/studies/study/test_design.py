@@ -50,6 +50,7 @@ def test_rows_of_a_part_are_those_of_the_whole(sizes, data):
         (np.array([1.0, 2.0]), [(1.0,), (2.0,)]),
         (range(2), [(0,), (1,)]),
         (3, [(3,)]),
+        (np.array(3.0), [(3.0,)]),
         ("1,2.5,steel", [(1,), (2.5,), ("steel",)]),
         ("1..3:3", [(1.0,), (2.0,), (3.0,)]),
         ("1..100:3:log", [(1.0,), (10.0,), (100.0,)]),
@@ -81,6 +82,8 @@ def test_keys_that_vary_together():
         ("±5 %", stats.uniform(0.95 * SPEED, 0.1 * SPEED)),
         ("1..3", stats.uniform(1.0, 2.0)),
         ("1..3:log", stats.loguniform(1.0, 3.0)),
+        ("1..1000", stats.loguniform(1.0, 1000.0)),  # as on a grid
+        ("1..1000:linear", stats.uniform(1.0, 999.0)),
         (stats.weibull_min(2.0), stats.weibull_min(2.0)),
     ],
 )
@@ -115,6 +118,15 @@ def test_whole_numbers_are_drawn_whole():
         ({"impactor.velocity": []}, None, None, "values with commas"),
         ({"impactor.velocity": "1,,2"}, None, None, "values with commas"),
         ({"impactor.velocity": "(1,2"}, None, None, "values with commas"),
+        ({"impactor.velocity": "1..3:4:cubic"}, None, None, "LOW..HIGH[:COUNT]"),
+        ({"impactor.velocity": "1..3:4"}, "lhs", 5, "without a count"),
+        ({"impactor.velocity": [1.0, math.nan]}, None, None, "finite numbers"),
+        ({"impactor.velocity": "1,inf"}, None, None, "finite numbers"),
+        ({"impactor.velocity": "1979-05-27,3"}, None, None, "finite numbers"),
+        ({"impactor.velocity": [1 + 2j]}, None, None, "finite numbers"),
+        ({5: [1]}, None, None, "a distribution"),
+        ({"impactor.velocity": stats.uniform([1, 2], 2)}, "lhs", 5, "LOW..HIGH"),
+        ({"impactor.velocity": "x%"}, "lhs", 3, "LOW..HIGH[:COUNT]"),
         ({"impactor.velocity": "3..1:4"}, None, None, "impactor.velocity"),
         ({"impactor.velocity": "1..3:1"}, None, None, "whole number from 2"),
         ({"impactor.velocity": "-1..3:4:log"}, None, None, "above zero"),
@@ -154,6 +166,37 @@ def test_every_law_says_what_its_numbers_are():
         (axis,) = axes_of(SCENE, {"impactor.velocity": text}, drawn=True)
         assert axis.law is not None and axis.law.text == text
         assert np.isfinite(axis.law.quantiles(np.array([0.1, 0.5, 0.9]))).all()
+
+
+@pytest.mark.parametrize(
+    "vary, values",
+    [
+        ({"method.name": ["modal"], "method.modes": "5.5..8:4"}, {6, 7, 8}),
+        ({"method.name": "modal", "method.modes": "0.5..3:4"}, {0, 1, 2, 3}),
+        ({"method.name": ["modal"], "method.modes": "20%"}, set(range(40, 61))),
+        ({"method.name": ["modal"], "method.modes": "normal(20, 1)"}, set(range(14, 27))),
+    ],
+)
+def test_whole_numbers_are_those_of_the_method_that_is_varied(vary, values):
+    """By default there are 50."""
+    drawn = not any(":" in str(given) for given in vary.values())
+    found = {row[1] for row in points(vary, "lhs" if drawn else None, 300 if drawn else None)}
+    assert found <= values and all(type(value) is int for value in found)
+    assert len(found) >= min(4, len(values)) - 1
+
+
+def test_words_in_pairs_need_no_quotes():
+    design = design_of(SCENE, {"method.name,method.modes": "(modal,20),(fe-modal, 10)"}, None, None, 0)
+    assert design.rows(0, 2) == [("modal", 20), ("fe-modal", 10)]
+
+
+def test_a_share_of_several_keys_is_one_of_each():
+    chain = solvers.load("split-hopkinson")
+    keys = ("target.rods.1.length", "target.rods.3.length")
+    one, other = (number_of(chain, key) for key in keys)
+    rows = np.array(design_of(chain, {keys: "10%"}, "lhs", 50, 0).rows(0, 50))
+    assert rows[:, 0] / one == approx(rows[:, 1] / other, rel=1e-12)
+    assert np.ptp(rows[:, 0] / one) > 0.18 and np.abs(rows[:, 0] / one - 1.0).max() < 0.1
 
 
 def test_numbers_in_lists_of_a_scene_are_found():

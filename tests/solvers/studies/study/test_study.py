@@ -1,6 +1,7 @@
 """A study is what single solves say, whoever solves it, in whichever order, however often it is interrupted."""
 
 import json
+import multiprocessing
 import os
 import signal
 import subprocess
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 import xarray
 from pytest import approx
+from scipy import stats
 
 import solvers
 from solvers import SceneError, study
@@ -179,6 +181,36 @@ def test_killed_in_the_middle_nothing_is_lost_and_no_worker_stays(tmp_path):
     assert (found.refused == "").all() and not parts.exists()
 
 
+@pytest.mark.parametrize("name", ["four-bar", "newtons-cradle", "drop-test", "bent-rods", "hammer-on-cantilever"])
+def test_scenes_of_every_kind_go_to_other_processes(name):
+    found = study(name, {"impactor.velocity": [0.9, 1.1]}, figures=["impactor_velocity"], workers=1)
+    for speed in (0.9, 1.1):
+        solution = solvers.solve(solvers.load(name).replace({"impactor.velocity": speed}))
+        assert float(found.impactor_velocity.sel({"impactor.velocity": speed})) == solution.impactor_velocity
+
+
+def test_parts_that_are_damaged_are_named(tmp_path):
+    parts, path = tmp_path / "map.nc.parts", tmp_path / "map.nc"
+    vary = {"impactor.velocity": [1.0, 2.0]}
+    parts.mkdir()
+    (parts / "about.json").write_text("{")
+    with pytest.raises(SceneError, match="differs in: scene, design"):
+        study("fixed-rod", vary, out=path, resume=True)
+    (parts / "about.json").unlink()
+    (parts / "notes-of-mine.npz").write_text("no part")
+    with pytest.raises(SceneError, match="folder or file of somebody else"):
+        study("fixed-rod", vary, out=path)
+    (parts / "notes-of-mine.npz").unlink()
+    study("fixed-rod", vary, out=path, cancelled=lambda: True)
+    (parts / "notes-of-mine.npz").write_text("no part")
+    (parts / f"{0:012d}-{1:012d}.npz").write_text("nor this")
+    with pytest.raises(SceneError, match="delete this one"):
+        study("fixed-rod", vary, out=path, resume=True)
+    (parts / f"{0:012d}-{1:012d}.npz").unlink()
+    assert (study("fixed-rod", vary, out=path, resume=True).refused == "").all()
+    assert [each.name for each in parts.iterdir()] == ["notes-of-mine.npz"]  # what is not its own stays
+
+
 def test_a_full_disk_ends_it_and_keeps_what_is_there(tmp_path, monkeypatch):
     path, keep, kept = tmp_path / "map.nc", Parts.keep, []
 
@@ -207,28 +239,66 @@ def test_a_full_disk_ends_it_and_keeps_what_is_there(tmp_path, monkeypatch):
         ({"figures": ["nonsense"]}, "'peak_force'"),
         ({"seed": -1}, "whole number from 0"),
         ({"method": "nonsense"}, "method.name"),
+        ({"vary": {"impactor.colour": ["red", "blue"]}}, "no such key"),
+        ({"vary": {"method.modes": [10, 20]}, "method": "modal"}, "nothing beside method.modes"),
+        ({"vary": {"method.name": ["waves", "modal"]}, "method": "quasi-static"}, "nothing beside method.name"),
+        ({"vary": {"method": [{"name": "waves"}]}, "method": solvers.Waves()}, "nothing beside method"),
+        ({"vary": {"peak_force": [1.0]}, "figures": ["peak_force"]}, "no such key"),
     ],
 )
 def test_what_is_refused_before_any_is_solved(tmp_path, monkeypatch, options, said):
     monkeypatch.chdir(tmp_path)
-    if "method" in options:  # is a value like any other
-        found = study("fixed-rod", {"impactor.velocity": [1.0, 2.0]}, **options)
-        assert all(said in reason for reason in found.reason.values.tolist())
-        return
     with pytest.raises(SceneError) as refused:
-        study("fixed-rod", {"impactor.velocity": [1.0, 2.0]}, **options)
+        study("fixed-rod", **{"vary": {"impactor.velocity": [1.0, 2.0]}} | options)
     assert said in str(refused.value) and list(tmp_path.iterdir()) == []
 
 
-def test_a_key_that_does_not_exist_is_refused_at_each_point():
-    found = study("fixed-rod", {"impactor.colour": ["red", "blue"]})
-    assert (found.refused == "allowed.key").all()
+def test_where_a_key_is_known_at_some_points_the_others_say_so():
+    """Modes are no option of exact waves."""
+    found = study("fixed-rod", {"method.name": ["waves", "modal"], "method.modes": [10, 20]}, figures=["peak_force"])
+    assert (found.refused.sel({"method.name": "waves"}) == "allowed.key").all()
+    for modes in (10, 20):
+        solution = solvers.solve("fixed-rod", method="modal", modes=modes)
+        assert float(found.peak_force.sel({"method.name": "modal", "method.modes": modes})) == solution.peak_force
 
 
-def test_bodies_in_space_are_refused_at_each_point():
+def test_methods_with_options_of_their_own_are_tables(tmp_path):
+    given = [{"name": "waves"}, {"name": "modal", "modes": 20}]
+    for ending in (".nc", ".csv"):
+        found = study("fixed-rod", {"method": given}, figures=["peak_force"], out=tmp_path / f"map{ending}")
+        assert found["method"].values.tolist() == ['{"name": "waves"}', '{"name": "modal", "modes": 20}']
+        assert float(found.peak_force[1]) == solvers.solve("fixed-rod", method="modal", modes=20).peak_force
+
+
+def test_words_and_numbers_of_one_key_are_kept(tmp_path):
+    found = study("fixed-rod", {"impactor.mass": [1, "two", 3]}, figures=["peak_force"], out=tmp_path / "map.nc")
+    assert found["impactor.mass"].values.tolist() == ["1", "two", "3"]
+    assert found.refused.values.tolist() == ["", "allowed.number", ""]
+
+
+def test_bodies_in_space_are_refused():
     name = next(name for name in solvers.scene_names() if solvers.load(name).normal is not None)
-    found = study(name, {"contact.friction": [0.1, 0.2]})
-    assert (found.refused == "allowed.scenes-on-axis").all()
+    with pytest.raises(SceneError, match="bodies on an axis"):
+        study(name, {"contact.friction": [0.1, 0.2]})
+
+
+def _in_a_pool(count: int) -> float:
+    return float(study("fixed-rod", {"impactor.mass": [1.0, 2.0]}, workers=count).peak_force.sum())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="by copies of this process")
+def test_a_process_that_may_have_none_solves_it_itself():
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        assert pool.apply(_in_a_pool, (2,)) == _in_a_pool(1)
+
+
+def test_another_distribution_is_another_study(tmp_path):
+    path = tmp_path / "map.nc"
+    first, second = (stats.rv_histogram(([1, 2], [low, low + 0.1, low + 0.2])) for low in (1.0, 2.0))
+    study("fixed-rod", {"impactor.mass": first}, points=5, out=path)
+    with pytest.raises(SceneError, match="differs in: design"):
+        study("fixed-rod", {"impactor.mass": second}, points=5, out=path, resume=True)
+    assert study("fixed-rod", {"impactor.mass": first}, points=5, out=path, resume=True).sizes == {"point": 5}
 
 
 def test_what_is_left_is_what_was_not_done():
