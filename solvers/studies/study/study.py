@@ -109,10 +109,7 @@ def study(
 
 def none_allowed(work: Work, design: Design) -> None:
     """Raises SceneError, that of the first, where none of some points all over the design can be solved, as when a key
-    is misspelt; and where a method that is given stands beside keys of methods."""
-    named = next((key for key in design.keys if key.partition(".")[0] == "method"), None)
-    if named is not None and work.method is not None:
-        raise SceneError("method", _named(work.method), allowed("nothing-beside", other=named))
+    is misspelt."""
     first: SceneError | None = None
     for point in sorted({round(share * (design.size - 1)) for share in np.linspace(0.0, 1.0, LOOKED_AT)}):
         try:
@@ -123,10 +120,6 @@ def none_allowed(work: Work, design: Design) -> None:
             return
     assert first is not None
     raise first
-
-
-def _named(method: str | Method) -> str:
-    return method.NAME if isinstance(method, Method) else method
 
 
 def crew_size(workers: int | None) -> int:

@@ -45,6 +45,12 @@ class Work:
     notes: bool  # whether they are looked for
     trusted: bool = False  # figures of which a note says that they are not to be trusted stand as refused
 
+    def __post_init__(self) -> None:
+        named = next((key for key in self.keys if key.partition(".")[0] == "method"), None)
+        if named is not None and self.method is not None:  # which would be solved by, whatever the key says
+            name = self.method.NAME if isinstance(self.method, Method) else self.method
+            raise SceneError("method", name, allowed("nothing-beside", other=named))
+
     def __reduce__(self) -> tuple[Any, ...]:
         """To another process the scene goes as tables, of which `Scene.replace` makes others here, too."""
         tables = self.scene.given or self.scene.table()
