@@ -36,7 +36,9 @@ def summary(found: Any) -> dict[str, Any]:
             for code, (where, count) in sorted(by_code.items(), key=lambda each: -each[1][1])
         ],
         "notes": dict(sorted(notes.items(), key=lambda each: -each[1])),
-        "sentences": json.loads(found.attrs.get("sentences", "{}")),  # by code, the sentence of the first point that has it
+        "sentences": json.loads(
+            found.attrs.get("sentences", "{}")
+        ),  # by code, the sentence of the first point that has it
     }
 
 
