@@ -70,7 +70,7 @@ class Parts:
             path = self.folder / NAME.format(*span)
             try:
                 with np.load(path) as found:
-                    part = Part(*(found[name] for name in ARRAYS), dict(found["said"].tolist()))
+                    part = Part(*(found[name] for name in ARRAYS), said=dict(found["said"].tolist()))
             except (ValueError, KeyError, EOFError, BadZipFile):
                 raise SceneError("resume", str(path), allowed("whole-part")) from None
             yield span, part

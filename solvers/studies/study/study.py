@@ -20,7 +20,6 @@ from ...scenes.library import SceneOrName, scene_of, to_toml
 from ...validation import SceneError, allowed
 from ..figures import FIGURES, asked_for
 from ..varied import unit_of
-from .cluster import cluster_of
 from .crew import Crew, crew_of, solved
 from .design import Design, design_of
 from .parts import Held, Parts, left_of, same_study
@@ -171,6 +170,8 @@ def _crew(workers: int | None, cluster: Any, points: int) -> Callable[[], Crew]:
     if cluster is not None and workers is not None:
         raise SceneError("workers", workers, allowed("workers-or-cluster"))
     if cluster is not None:
+        from .cluster import cluster_of  # loads asyncio, which nothing else here needs
+
         return partial(cluster_of, cluster)
     return partial(crew_of, min(crew_size(workers), points))
 

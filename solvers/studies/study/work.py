@@ -136,4 +136,4 @@ def joined(parts: Sequence[Part]) -> Part:
     """All in one."""
     arrays = ([getattr(part, name) for part in parts] for name in ("figures", "refused", "reason", "notes"))
     said = {code: text for part in reversed(parts) for code, text in part.said.items()}
-    return Part(*map(np.concatenate, arrays), said, sum(part.seconds for part in parts))
+    return Part(*map(np.concatenate, arrays), said=said, seconds=sum(part.seconds for part in parts))
