@@ -98,7 +98,9 @@ def study(design: Any, parts: Iterable[tuple[Any, Any]], figures: Any, units: An
     columns = np.full((len(figures), design.size), np.nan)
     words = {name: np.full(design.size, "", object) for name in WORDS}
     words["refused"][:] = NOT_SOLVED
+    said: dict[str, str] = {}
     for (start, stop), part in parts:
+        said = part.said | said
         columns[:, start:stop] = part.figures.T
         for name, array in words.items():
             array[start:stop] = getattr(part, name)
@@ -110,7 +112,7 @@ def study(design: Any, parts: Iterable[tuple[Any, Any]], figures: Any, units: An
     variables |= {
         name: (dimensions, values.reshape(design.shape), {"long_name": WORDS[name]}) for name, values in words.items()
     }
-    return Dataset(variables, places, about)
+    return Dataset(variables, places, about | {"sentences": json.dumps(said)})
 
 
 def _places(design: Any, units: Any) -> tuple[tuple[str, ...], dict[str, Any]]:

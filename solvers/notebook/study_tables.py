@@ -1,5 +1,6 @@
 """A study in a few lines: how far its figures reach and where, what was refused, and what is to be known."""
 
+import json
 from collections.abc import Iterator
 from typing import Any
 
@@ -35,6 +36,9 @@ def summary(found: Any) -> dict[str, Any]:
             for code, (where, count) in sorted(by_code.items(), key=lambda each: -each[1][1])
         ],
         "notes": dict(sorted(notes.items(), key=lambda each: -each[1])),
+        "sentences": json.loads(
+            found.attrs.get("sentences", "{}")
+        ),  # by code, the sentence of the first point that has it
     }
 
 
@@ -92,7 +96,8 @@ def lines(found: Any, known: dict[str, Any]) -> str:
     said += [""] if known["refusals"] or known["notes"] else []
     for each in known["refusals"]:
         said.append("  " + text("study.refused", points=each["points"], at=_said(each["at"]), reason=each["reason"]))
-    said += ["  " + text("study.noted", code=code, points=count) for code, count in known["notes"].items()]
+    for code, count in known["notes"].items():
+        said.append("  " + text("study.noted", code=code, points=count, first=known["sentences"].get(code, "-")))
     return "\n".join(said)
 
 

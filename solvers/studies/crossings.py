@@ -5,8 +5,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from scipy.optimize import brentq, minimize_scalar
-
 SAME = 1e-12  # of the wanted value: no difference
 NEAR = 2.0  # a dip is looked at where its distance from the value is within so many times what it rises to its sides
 TOUCH = 1e-9  # of the wanted value or of the dip's sides: it touches
@@ -162,6 +160,8 @@ class Crossings:
 
     def _between(self, a: float, b: float, depth: int = 0) -> None:
         """All roots and jumps that show between two values on different sides."""
+        from scipy.optimize import brentq  # a third of a second, which nothing else here needs
+
         width = b - a
         try:
             x = float(brentq(self._known, a, b, xtol=max(1e-11 * width, 5e-324), rtol=1e-15))
@@ -214,6 +214,8 @@ class Crossings:
         sides = [self.offset(each) * way for each in (a, b)]
         if a == b or min(sides) <= 0.0:
             return
+
+        from scipy.optimize import minimize_scalar  # likewise
 
         def distance(x: float) -> float:
             apart = way * self._known(float(x))

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy.differentiate import derivative
 
 HALVES = 3  # steps of a stencil: h, h/2, h/4
 FURTHER = 16.0  # by which the step is smaller where even its quarter is too wide
@@ -37,6 +36,8 @@ def slopes(figures: Callable[[float], np.ndarray], at: float, step: float) -> Sl
     """
     middle = figures(at)
     which = np.arange(middle.size)
+    from scipy.differentiate import derivative  # half a second, which nothing else here needs
+
     known: dict[float, np.ndarray] = {}
 
     def of(numbers: np.ndarray, figure: np.ndarray) -> np.ndarray:

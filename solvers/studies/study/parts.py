@@ -52,7 +52,8 @@ class Parts:
         written = path.with_suffix(f".{os.getpid()}")
         try:
             with written.open("wb") as file:
-                np.savez(file, **{name: getattr(part, name) for name in ARRAYS})
+                arrays = {name: getattr(part, name) for name in ARRAYS}
+                np.savez(file, **arrays, said=np.array([*part.said.items()], str).reshape(-1, 2))
             written.replace(path)
         except OSError:
             written.unlink(missing_ok=True)
@@ -69,7 +70,7 @@ class Parts:
             path = self.folder / NAME.format(*span)
             try:
                 with np.load(path) as found:
-                    part = Part(*(found[name] for name in ARRAYS))
+                    part = Part(*(found[name] for name in ARRAYS), said=dict(found["said"].tolist()))
             except (ValueError, KeyError, EOFError, BadZipFile):
                 raise SceneError("resume", str(path), allowed("whole-part")) from None
             yield span, part

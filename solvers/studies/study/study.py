@@ -20,7 +20,6 @@ from ...scenes.library import SceneOrName, scene_of, to_toml
 from ...validation import SceneError, allowed
 from ..figures import FIGURES, asked_for
 from ..varied import unit_of
-from .cluster import cluster_of
 from .crew import Crew, crew_of, solved
 from .design import Design, design_of
 from .parts import Held, Parts, left_of, same_study
@@ -109,10 +108,7 @@ def study(
 
 def none_allowed(work: Work, design: Design) -> None:
     """Raises SceneError, that of the first, where none of some points all over the design can be solved, as when a key
-    is misspelt; and where a method that is given stands beside keys of methods."""
-    named = next((key for key in design.keys if key.partition(".")[0] == "method"), None)
-    if named is not None and work.method is not None:
-        raise SceneError("method", _named(work.method), allowed("nothing-beside", other=named))
+    is misspelt."""
     first: SceneError | None = None
     for point in sorted({round(share * (design.size - 1)) for share in np.linspace(0.0, 1.0, LOOKED_AT)}):
         try:
@@ -123,10 +119,6 @@ def none_allowed(work: Work, design: Design) -> None:
             return
     assert first is not None
     raise first
-
-
-def _named(method: str | Method) -> str:
-    return method.NAME if isinstance(method, Method) else method
 
 
 def crew_size(workers: int | None) -> int:
@@ -178,6 +170,8 @@ def _crew(workers: int | None, cluster: Any, points: int) -> Callable[[], Crew]:
     if cluster is not None and workers is not None:
         raise SceneError("workers", workers, allowed("workers-or-cluster"))
     if cluster is not None:
+        from .cluster import cluster_of  # loads asyncio, which nothing else here needs
+
         return partial(cluster_of, cluster)
     return partial(crew_of, min(crew_size(workers), points))
 

@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -27,6 +27,7 @@ class Part:
     refused: np.ndarray  # code of the refusal; empty where it is solved
     reason: np.ndarray  # its sentence
     notes: np.ndarray  # codes of the notes, with spaces between
+    said: dict[str, str] = field(default_factory=dict)  # by code, the sentence of the first point that has the note
     seconds: float = 0.0  # that it took
 
     @property
@@ -45,20 +46,27 @@ class Work:
     notes: bool  # whether they are looked for
     trusted: bool = False  # figures of which a note says that they are not to be trusted stand as refused
 
+    def __post_init__(self) -> None:
+        named = next((key for key in self.keys if key.partition(".")[0] == "method"), None)
+        if named is not None and self.method is not None:  # which would be solved by, whatever the key says
+            name = self.method.NAME if isinstance(self.method, Method) else self.method
+            raise SceneError("method", name, allowed("nothing-beside", other=named))
+
     def __reduce__(self) -> tuple[Any, ...]:
         """To another process the scene goes as tables, of which `Scene.replace` makes others here, too."""
-        tables = self.scene.given or self.scene.table()
-        return _read, (tables, self.keys, self.figures, self.method, self.notes)
+        _, *others = (getattr(self, field.name) for field in fields(self))
+        return _read, (self.scene.given or self.scene.table(), *others)
 
     def __call__(self, rows: Sequence[tuple[Any, ...]]) -> Part:
         """Of each row; nothing that it raises ends the study."""
         begun = time.perf_counter()
         found = self._quick(rows)
         if found is None:
-            solved = [self._solved(row) for row in rows]
+            said: dict[str, str] = {}
+            solved = [self._solved(row, said) for row in rows]
             figures, refused, reason, notes = zip(*solved, strict=True)
-            found = Part(np.array(figures, float), np.array(refused), np.array(reason), np.array(notes))
-        return Part(found.figures, found.refused, found.reason, found.notes, time.perf_counter() - begun)
+            found = Part(np.array(figures, float), np.array(refused), np.array(reason), np.array(notes), said)
+        return replace(found, seconds=time.perf_counter() - begun)
 
     def _quick(self, rows: Sequence[tuple[Any, ...]]) -> Part | None:
         """All at once, where that can be done and each of them is allowed."""
@@ -72,20 +80,27 @@ class Work:
         nothing = np.full(len(rows), "")
         return Part(np.stack([found[name] for name in self.figures], 1).astype(float), nothing, nothing, nothing)
 
-    def _solved(self, row: tuple[Any, ...]) -> tuple[list[float], str, str, str]:
+    def _solved(self, row: tuple[Any, ...], said: dict[str, str]) -> tuple[list[float], str, str, str]:
         try:
             solution = self._solve(row)
             found = [np.nan if value is None else float(value) for value in figures_of(solution, self.figures)]
-            codes = " ".join(dict.fromkeys(note.code for note in solution.notes)) if self.notes else ""
+            codes = self._codes(solution, said)
             wrong = [note for note in solution.notes if note.severity is Severity.INVALID] if self.trusted else []
         except SceneError as refused:
             return [np.nan] * len(self.figures), refused.reason.code, str(refused), ""
         except Exception as error:  # the others are to be solved all the same
-            said = f"{type(error).__name__}: {error}"[:300]
-            return [np.nan] * len(self.figures), FAILED, said, ""
+            return [np.nan] * len(self.figures), FAILED, f"{type(error).__name__}: {error}"[:300], ""
         if wrong:
             return [np.nan] * len(self.figures), wrong[0].code, str(wrong[0]), codes
         return found, "", "", codes
+
+    def _codes(self, solution: Solution, said: dict[str, str]) -> str:
+        """Of its notes, the sentences of which are kept once each."""
+        notes = solution.notes if self.notes else []
+        for note in notes:
+            if note.code not in said:
+                said[note.code] = str(note)
+        return " ".join(dict.fromkeys(note.code for note in notes))
 
     def read(self, row: tuple[Any, ...]) -> tuple[Scene, Method, float | None]:
         """The scene with these values, and by what it is solved, up to which duration [s]. Raises SceneError."""
@@ -120,4 +135,5 @@ def crashed(figures: Sequence[str], reason: str) -> Part:
 def joined(parts: Sequence[Part]) -> Part:
     """All in one."""
     arrays = ([getattr(part, name) for part in parts] for name in ("figures", "refused", "reason", "notes"))
-    return Part(*map(np.concatenate, arrays), seconds=sum(part.seconds for part in parts))
+    said = {code: text for part in reversed(parts) for code, text in part.said.items()}
+    return Part(*map(np.concatenate, arrays), said=said, seconds=sum(part.seconds for part in parts))

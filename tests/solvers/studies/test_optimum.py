@@ -102,6 +102,7 @@ def test_cancelled_it_gives_the_best_by_then():
         ({"such_that": [3]}, "peak_stress<=2e8"),
         ({"solves": 1}, "whole number from 50"),
         ({"seed": -1}, "whole number from 0"),
+        ({"vary": {"method.name": ["modal"]}, "method": "waves"}, "nothing beside method.name"),
         ({"workers": 0}, "whole number from 1"),
     ],
 )

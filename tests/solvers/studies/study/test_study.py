@@ -3,6 +3,7 @@
 import json
 import multiprocessing
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -181,6 +182,14 @@ def test_killed_in_the_middle_nothing_is_lost_and_no_worker_stays(tmp_path):
     assert (found.refused == "").all() and not parts.exists()
 
 
+def test_what_goes_to_other_processes_is_the_same_there():
+    made = work.Work(solvers.load("four-bar"), ("impactor.mass",), ("impulse",), solvers.Modal(modes=3), False, True)
+    there = pickle.loads(pickle.dumps(made))
+    fields = ("keys", "figures", "method", "notes", "trusted")
+    assert [getattr(there, name) for name in fields] == [getattr(made, name) for name in fields]
+    assert there.scene.given == made.scene.given
+
+
 @pytest.mark.parametrize("name", ["four-bar", "newtons-cradle", "drop-test", "bent-rods", "hammer-on-cantilever"])
 def test_scenes_of_every_kind_go_to_other_processes(name):
     found = study(name, {"impactor.velocity": [0.9, 1.1]}, figures=["impactor_velocity"], workers=1)
@@ -328,4 +337,9 @@ def test_in_a_few_lines_it_says_how_far_figures_reach_and_where():
     said = lines(found, known)
     assert "9 points (impactor.velocity 3 x contact.law 3): 6 solved, 3 refused" in said
     assert "3 points refused, the first at impactor.velocity=0.5, contact.law=nonsense" in said
+    first = solvers.solve(
+        solvers.load("bronze-rod-steel-ball").replace({"impactor.velocity": 0.5, "contact.law": "rigid"})
+    )
+    (note,) = (note for note in first.notes if note.code == "pulse-short")
+    assert known["sentences"]["pulse-short"] == str(note) and f"with the note pulse-short, as the first: {note}" in said
     assert json.loads(json.dumps(rows(found), allow_nan=False))[2]["peak_force"] is None
