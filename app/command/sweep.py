@@ -1,7 +1,6 @@
 """The command `impact sweep`: one key of a scene over a range, a line for each value."""
 
 import json
-import re
 import sys
 from typing import NamedTuple
 
@@ -9,15 +8,11 @@ import numpy as np
 
 import solvers
 from solvers import SceneError
+from solvers.studies.study.axes import RANGE
 from solvers.studies.sweep import spaced, sweep
 
 from .interrupts import interruptible
 from .words import text
-
-_NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
-_RANGE = re.compile(
-    rf"(?P<key>[^=]+)=(?P<low>{_NUMBER})\.\.(?P<high>{_NUMBER})(?::(?P<count>\d{{1,9}}))?(?::(?P<spacing>log|linear))?"
-)
 
 
 class Span(NamedTuple):
@@ -32,11 +27,12 @@ class Span(NamedTuple):
 
 def read_span(option: str, given: str, count: int) -> Span:
     """What `KEY=LOW..HIGH[:COUNT][:log|:linear]` says; `count` where it says none."""
-    found = _RANGE.fullmatch(given.strip())
-    if found is None:
+    key, _, span = given.partition("=")
+    found = RANGE.fullmatch(span.strip())
+    if found is None or not key.strip():
         raise SceneError(option, given, text("wanted.range"))
     number = count if found["count"] is None else int(found["count"])
-    return Span(found["key"].strip(), float(found["low"]), float(found["high"]), number, found["spacing"])
+    return Span(key.strip(), float(found["low"]), float(found["high"]), number, found["spacing"])
 
 
 def parse_range(given: str) -> tuple[str, np.ndarray]:
