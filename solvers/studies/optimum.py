@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import CancelledError, Future
 from contextlib import closing
 from dataclasses import dataclass
 from typing import Any
@@ -18,14 +19,14 @@ from ..text.notes import Note, Severity, coded
 from ..validation import SceneError, allowed
 from .figures import FIGURES
 from .study.axes import Axis, axes_of
-from .study.crew import Crew, crew_of
+from .study.crew import Crew, crew_of, with_care
 from .study.study import crew_size
-from .study.work import Work
+from .study.work import Part, Work
 from .varied import unit_of
 
 LEAST, USUAL, MOST_SOLVES = 50, 2_000, 100_000
 SHARE = 0.85  # of the solves, in which all of the range is searched; the rest is spent close to the best
-PEOPLE = 12  # candidates for each key, at least
+PEOPLE = 12  # candidates for each key
 CLOSE = 1e-3  # of a bound: so near to it a limit decides
 BOUND = re.compile(r"\s*(?P<figure>\w+)\s*(?P<sign><=|>=)\s*(?P<value>[^\s<>=]+)\s*")
 LARGE = 1e100  # in place of infinity, of which searches make nothing; its square is a number
@@ -159,8 +160,10 @@ class Search:
     def __init__(self, axes: Sequence[Axis], work: Work, limits: list[Limit], largest: bool, crew: Crew, solves: int):
         self.axes, self.work, self.limits, self.largest = axes, work, limits, largest
         self.crew, self.solves = crew, solves
-        self.found: dict[tuple[Any, ...], np.ndarray] = {}  # figures by values of the keys
-        self.shares: dict[tuple[Any, ...], np.ndarray] = {}  # where those are in the cube
+        # By the values of the keys as words, as tables may be among them:
+        self.found: dict[str, np.ndarray] = {}  # figures
+        self.rows: dict[str, tuple[Any, ...]] = {}  # the values themselves
+        self.shares: dict[str, np.ndarray] = {}  # where they are in the cube
         self.reason = ""  # of one that was refused
 
     def row(self, point: np.ndarray) -> tuple[Any, ...]:
@@ -171,19 +174,29 @@ class Search:
         """(figures, points), each solved once."""
         points = np.clip(points, 0.0, 1.0)
         rows = [self.row(point) for point in points]
-        self.shares |= dict(zip(rows, points, strict=True))
-        new = [row for row in dict.fromkeys(rows) if row not in self.found]
+        names = [repr(row) for row in rows]
+        self.rows |= dict(zip(names, rows, strict=True))
+        self.shares |= dict(zip(names, points, strict=True))
+        new = [name for name in dict.fromkeys(names) if name not in self.found]
         size = -(-len(new) // self.crew.workers) or 1
         parts = [new[start : start + size] for start in range(0, len(new), size)]
-        for part, future in [(part, self.crew.submit(self.work, part)) for part in parts]:
-            solved = future.result()
+        begun = [self.crew.submit(self.work, [self.rows[name] for name in part]) for part in parts]
+        for part, future in zip(parts, begun, strict=True):
+            solved = self._answer(part, future)
             self.found |= dict(zip(part, solved.figures, strict=True))
             self.reason = self.reason or next((str(reason) for reason in solved.reason if reason), "")
-        return (
-            np.array([self.found[row] for row in rows]).reshape(len(rows), -1).T
-            if rows
-            else np.empty((len(self.work.figures), 0))
-        )
+        found = [self.found[name] for name in names]
+        return np.stack(found, 1) if found else np.empty((len(self.work.figures), 0))
+
+    def _answer(self, part: list[str], future: "Future[Part]") -> Part:
+        """Of one part, by other processes where that of its own has ended."""
+        try:
+            return future.result()
+        except self.crew.broken:
+            self.crew.renew()
+        except CancelledError:  # as another part's process has ended
+            pass
+        return with_care(self.work, [self.rows[name] for name in part], self.crew)
 
     def goal(self, points: np.ndarray) -> np.ndarray:
         """What is to be small; inf where it is refused."""
@@ -203,7 +216,6 @@ class Search:
         from scipy import optimize  # a third of a second, which nothing else here needs
 
         count = len(self.axes)
-        people = max(PEOPLE, -(-2 * self.crew.workers // count))
         limits = optimize.NonlinearConstraint(
             lambda x: self.over(x.T) if x.ndim > 1 else self.over(x[None])[:, 0], 0.0, 0.0
         )
@@ -212,7 +224,7 @@ class Search:
             [(0.0, 1.0)] * count,
             constraints=(limits,) if self.limits else (),
             maxiter=self.solves,
-            popsize=people,
+            popsize=PEOPLE,
             rng=seed,
             polish=False,
             init="sobol",
@@ -252,24 +264,26 @@ class Search:
             options={"maxfev": left, "initial_tr_radius": 0.02, "final_tr_radius": 1e-9},
         )
 
-    def _best(self) -> tuple[Any, ...] | None:
+    def _best(self) -> str | None:
         """The values with the best figure that keep all limits; else those that violate them least."""
         if not self.found:
             return None
-        rows, figures = list(self.found), np.stack(list(self.found.values()), 1)
+        names, figures = list(self.found), np.stack(list(self.found.values()), 1)
         goal = figures[0] * (-1.0 if self.largest else 1.0)
-        over = self._over(figures).sum(0) if self.limits else np.zeros(len(rows))
+        over = self._over(figures).sum(0) if self.limits else np.zeros(len(names))
         rank = np.where(np.isnan(goal), np.inf, over)
-        best = min(range(len(rows)), key=lambda row: (rank[row], goal[row]))
-        return rows[best] if math.isfinite(rank[best]) else None
+        best = min(range(len(names)), key=lambda place: (rank[place], goal[place]))
+        return names[best] if math.isfinite(rank[best]) else None
 
     def best(self, scene: Scene, units: dict[str, str], goal: str, method: str | Method | None) -> Optimum:
         """Raises SceneError where every point is refused."""
-        row = self._best()
-        if row is None:
-            raise SceneError("vary", ", ".join(self.work.keys), allowed("some-solved", reason=self.reason or "-"))
-        names, figures = self.work.figures, self.found[row]
-        values = dict(zip(self.work.keys, row, strict=True))
+        best = self._best()
+        if best is None and not self.reason:
+            raise SceneError("maximise" if self.largest else "minimise", goal, allowed("figure-there"))
+        if best is None:
+            raise SceneError("vary", ", ".join(self.work.keys), allowed("some-solved", reason=self.reason))
+        names, figures = self.work.figures, self.found[best]
+        values = dict(zip(self.work.keys, self.rows[best], strict=True))
         kept = all(limit.margin(figures[names.index(limit.figure)]) <= 0.0 for limit in self.limits)
         refused = sum(math.isnan(found[0]) for found in self.found.values())
         notes = [Note("optimum-searched", Severity.REMARK, solves=len(self.found), refused=refused)]
@@ -284,7 +298,7 @@ class Search:
             units,
             dict(zip(names, figures.tolist(), strict=True)),
             self.limits,
-            [*self._decides(figures), *self._ends(row)],
+            [*self._decides(figures), *self._ends(best)],
             len(self.found),
             refused,
             notes,
@@ -295,9 +309,9 @@ class Search:
         names = self.work.figures
         return [str(limit) for limit in self.limits if abs(limit.margin(figures[names.index(limit.figure)])) < CLOSE]
 
-    def _ends(self, row: tuple[Any, ...]) -> list[str]:
+    def _ends(self, best: str) -> list[str]:
         """Keys at an end of their range."""
-        shares = zip(self.axes, self.shares[row], strict=True)
+        shares = zip(self.axes, self.shares[best], strict=True)
         return [axis.name for axis, share in shares if axis.law and not CLOSE < share < 1.0 - CLOSE]
 
 

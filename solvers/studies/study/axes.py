@@ -53,7 +53,9 @@ class Axis:
     @property
     def words(self) -> str:
         """What is said of its values."""
-        return self.law.text if self.law else ", ".join(str(row[0] if len(set(row)) == 1 else row) for row in self.rows)
+        if self.law:
+            return self.law.text
+        return ", ".join(str(row[0] if all(each == row[0] for each in row) else row) for row in self.rows)
 
     def at(self, shares: np.ndarray) -> list[tuple[Any, ...]]:
         """A row for each share from 0 to 1 of what is to come before it."""

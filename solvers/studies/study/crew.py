@@ -183,7 +183,7 @@ def solved(
                 running = {}
                 crew.renew()
                 for span in suspects:
-                    yield span, _with_care(work, design, span, crew)
+                    yield span, with_care(work, design.rows(*span), crew)
                 break
             span, most = running.pop(future), AHEAD * crew.workers
             size = max(1, min(int(SECONDS * part.size / max(part.seconds, 1e-6)), GROWTH * part.size, LARGEST))
@@ -195,13 +195,12 @@ def _ended(future: "Future[Part]", crew: Crew) -> bool:
     return future.done() and not future.cancelled() and isinstance(future.exception(), crew.broken)
 
 
-def _with_care(work: Work, design: Design, span: Span, crew: Crew) -> Part:
+def with_care(work: Work, rows: list, crew: Crew) -> Part:
     """A part of which a process may have ended: smaller and smaller, until the point is known at which it does."""
-    start, stop = span
-    part = crew.alone(work, design.rows(start, stop))
+    part = crew.alone(work, rows)
     if part is not None:
         return part
-    if stop - start == 1:
+    if len(rows) == 1:
         return crashed(work.figures, str(Note("refusals.crashed", Severity.REFUSAL)))
-    middle = (start + stop) // 2
-    return joined([_with_care(work, design, half, crew) for half in ((start, middle), (middle, stop))])
+    middle = len(rows) // 2
+    return joined([with_care(work, half, crew) for half in (rows[:middle], rows[middle:])])

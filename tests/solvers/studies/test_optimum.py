@@ -2,12 +2,16 @@
 
 import json
 import math
+import os
+import signal
+import sys
 
 import pytest
 from pytest import approx
 
 import solvers
 from solvers import SceneError, optimise
+from solvers.studies.study import work
 
 MASS, SPEED = 2.0, 3.0
 SPRING = solvers.load("fixed-rod").replace(
@@ -81,6 +85,29 @@ def test_what_is_refused_on_the_way_is_counted():
     assert note.values["refused"] == found.refused
 
 
+def test_methods_with_options_are_chosen_among():
+    methods = [{"name": "waves"}, {"name": "modal", "modes": 5}]
+    found = optimise("fixed-rod", {"method": methods, "impactor.mass": [1, 2]}, minimise="peak_force", solves=60)
+    assert found.values is not None and found.values["method"] in methods and found.values["impactor.mass"] == 1
+
+
+def test_no_number_of_workers_makes_another_answer():
+    call = {"vary": {"impactor.mass": (0.5, 3.5)}, "maximise": "newton", "solves": 60}
+    assert len({repr(optimise("fixed-rod", workers=count, **call).values) for count in (1, 9)}) == 1
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="its workers know what is patched here as copies of this process")
+def test_a_point_that_ends_its_process_is_left(monkeypatch):
+    def figures_of(solution, names):
+        if solution.scene.impactor.mass > 1.5:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return [solution.scene.impactor.mass] * len(names)
+
+    monkeypatch.setattr(work, "figures_of", figures_of)
+    found = optimise(SPRING, {"impactor.mass": [1.0, 1.2, 1.4, 1.6]}, maximise="peak_force", solves=50)
+    assert found.values == {"impactor.mass": 1.4} and found.refused == 1
+
+
 def test_cancelled_it_gives_the_best_by_then():
     found = optimise(SPRING, {"impactor.mass": (1.0, 2.0)}, minimise="peak_force", cancelled=lambda: True)
     assert found.solves < 200 and found.values is not None
@@ -92,6 +119,7 @@ def test_cancelled_it_gives_the_best_by_then():
         ({"minimise": None}, "either minimise or maximise"),
         ({"maximise": "impulse"}, "either minimise or maximise"),
         ({"minimise": "beauty"}, "'peak_force'"),
+        ({"minimise": "peak_deflection"}, "a figure that these impacts have"),
         ({"vary": {}}, "a distribution"),
         ({"vary": {"contact.stiffness": "normal(1e5,1e4)"}}, "between bounds"),
         ({"vary": {"contact.stiffness": "1e5..1e4"}}, "the smaller one first"),

@@ -196,3 +196,10 @@ def test_refusals(changes, said):
     call = {"scene": SPRING, "tolerances": {"impactor.mass": "5%"}, "points": 8, "workers": 1} | changes
     with pytest.raises(SceneError, match=said):
         uncertain(**call)
+
+
+def test_methods_with_options_may_be_uncertain():
+    """As when it is asked how much of a spread is owed to the choice of a model."""
+    methods = [{"name": "waves"}, {"name": "modal", "modes": 20}]
+    found = solvers.uncertain("fixed-rod", {"method": methods, "impactor.mass": "5%"}, ["peak_force"], points=16)
+    assert "modal" in found.inputs["method"] and found.figures["peak_force"].shares["method"].total > 0.0
