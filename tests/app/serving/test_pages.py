@@ -122,6 +122,12 @@ def test_a_pack_of_other_sources_is_not_sent(monkeypatch, tmp_path, given):
         packed.pack.cache_clear()
 
 
+def own_files(page) -> set[str]:
+    """Names of the program's own files that a page has asked for."""
+    named = page.evaluate("() => performance.getEntriesByType('resource').map((each) => new URL(each.name).pathname)")
+    return {name.split("/", 3)[-1] for name in named if name.startswith("/assets/")}
+
+
 @pytest.fixture
 def plain_server(tmp_path):
     server = PlainServer(tmp_path / "log")
@@ -136,8 +142,7 @@ def test_without_a_pack_the_plain_modules_are_the_page(browser, plain_server):
     """As from a clone on a machine without Node; what is fetched late is there too."""
     page = Page(browser, plain_server, "?lesson=bounce-twice")
     page.wait("() => strikewave.page.own.answers !== null && strikewave.page.opening.teaching.lesson !== null")
-    named = page.evaluate("() => performance.getEntriesByType('resource').map((each) => new URL(each.name).pathname)")
-    assert {"page.js", "charts/chart.js"} <= {name.split("/", 3)[-1] for name in named}  # of the first 250
+    assert {"page.js", "charts/chart.js"} <= own_files(page)  # of the first 250
     assert page.errors == []
     page.close()
 
@@ -146,8 +151,7 @@ def test_without_a_pack_the_plain_modules_are_the_page(browser, plain_server):
 def test_a_lesson_is_packed_apart(browser, server):
     page = Page(browser, server, "?lesson=bounce-twice")
     page.wait("() => strikewave.page.opening.teaching.lesson !== null")
-    named = page.evaluate("() => performance.getEntriesByType('resource').map((each) => new URL(each.name).pathname)")
-    scripts = {name.split("/", 3)[-1] for name in named if name.startswith("/assets/") and name.endswith(".js")}
+    scripts = {name for name in own_files(page) if name.endswith(".js")}
     assert scripts - {"wasm/answers.js"} == {
         *("page.js", "lesson/lesson.js", "browser/modules.js", "browser/start.js", f"text/{SOURCE}.js")
     }
