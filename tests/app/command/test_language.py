@@ -44,7 +44,7 @@ optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that p
 optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that peak_stress<=1 --solves 60
 optimise fixed-rod --vary impactor.mass=1..3
 plot nowhere.nc
-plot map.nc --out map.png
+plot map.nc --out map.pdf
 plot --help
 uncertain fixed-rod --tolerance impactor.mass=uniform(1,3) --points 9 --figure impulse --figure contacts
 convergence fixed-rod --modes 2,4,8,16
@@ -91,6 +91,7 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
+    *("curves", "map", "points", "parallel", "matrix", "bars"),
     *("study", "optimise", "velvet", "uncertain", "plot", "file", "NAME"),
     *(
         "plan",
