@@ -54,6 +54,7 @@ from .solve import read_method, solve
 from .stability.maps import Stability, stability
 from .studies.bounces import Bounce, Bounces, bounces
 from .studies.contact_times import ContactTimes, compare_with_half_space, contact_times
+from .studies.contour import Contour, contour
 from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
@@ -82,6 +83,7 @@ __all__ = [
     "Bounces",
     "ContactPeriod",
     "ContactTimes",
+    "Contour",
     "Convergence",
     "Ensemble",
     "FeModal",
@@ -124,6 +126,7 @@ __all__ = [
     "compare",
     "compare_with_half_space",
     "contact_times",
+    "contour",
     "convergence",
     "ensemble",
     "gradient",

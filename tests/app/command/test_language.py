@@ -34,6 +34,11 @@ solve four-bar
 solve fixed-rod --find impactor.mass=-1..3:20 --such-that contacts=1.5
 solve fixed-rod --find impactor.mass=1..3:20 --such-that impactor_velocity=-0.9
 solve fixed-rod --find impactor.mass=1..3:20 --such-that contacts=2
+solve fixed-rod --find impactor.mass=-1..3:5 --find target.length=0.4..1:5 --such-that contacts=1.5
+solve fixed-rod --find impactor.mass=1..3:5 --find target.length=0.4..1:5 --such-that impactor_velocity=-0.9
+solve fixed-rod --find impactor.mass=1..3:5 --find target.length=0.2..1:5 --such-that contacts=2
+solve fixed-rod --find impactor.mass=1..3:5 --find impactor.mass=1..2 --such-that contacts=2
+solve fixed-rod --find impactor.mass=1..3 --find target.length=1..2 --find impactor.velocity=1..2 --such-that contacts=2
 plan fixed-rod
 bounce bouncing-ball
 sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
