@@ -60,6 +60,7 @@ from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
 from .studies.optimum import Optimum, optimise
+from .studies.pareto import Pareto, pareto
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
 from .studies.study.plot import plot_study
@@ -99,6 +100,7 @@ __all__ = [
     "Motion",
     "Multibody",
     "Optimum",
+    "Pareto",
     "Plan",
     "QuasiStatic",
     "RegimeMap",
@@ -133,6 +135,7 @@ __all__ = [
     "joint_scattering",
     "load",
     "optimise",
+    "pareto",
     "plan",
     "plot_study",
     "read_method",

@@ -12,25 +12,13 @@ from ..text.notes import Note, Severity, coded
 from ..validation import SceneError, allowed
 from .answers import Answers, middle_of, read_range, read_wanted
 from .figures import FIGURES
+from .noted import Noted, noted
 from .squares import Line, Squares
 from .study.study import crew_size
 from .sweep import spaced
 from .varied import unit_of
 
 LEAST_SAMPLES, USUAL_SAMPLES, MOST_SAMPLES = 3, 25, 500  # for each key
-
-
-@dataclass(frozen=True)
-class Noted:
-    """A warning on solutions at vertices or points of a result."""
-
-    code: str
-    count: int  # of these
-    first: Note  # that of the first
-
-    def table(self) -> dict[str, Any]:
-        """As plain lists and numbers."""
-        return {"code": self.code, "count": self.count, "first": str(self.first)}
 
 
 @dataclass(frozen=True, repr=False)
@@ -140,15 +128,6 @@ def contour(
         wanted, lines, jumps, nearest and ((nearest[0][0], nearest[0][1]), nearest[1]), (len(xs), len(ys)),
         len(missing), len(answers.known), warnings, _notes(answers, missing, squares),
     )  # fmt: skip
-
-
-def noted(each: Any) -> list[Noted]:
-    """Of the warnings on solutions, how many have which."""
-    found: dict[str, list[Note]] = {}
-    for notes in each:
-        for note in {note.code: note for note in notes}.values():
-            found.setdefault(note.code, []).append(note)
-    return [Noted(code, len(notes), notes[0]) for code, notes in sorted(found.items())]
 
 
 @contextmanager

@@ -48,6 +48,10 @@ study fixed-rod
 optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that peak_stress<=1e8 --solves 60
 optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that peak_stress<=1 --solves 60
 optimise fixed-rod --vary impactor.mass=1..3
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --maximise newton --solves 200 --points 5
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --maximise newton --such-that peak_stress<=1
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --maximise peak_force
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --points 3
 plot nowhere.nc
 plot map.nc --out map.png
 plot --help

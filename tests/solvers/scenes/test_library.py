@@ -104,6 +104,7 @@ NEEDED = {  # besides the scene
     "study": {"vary": {"impactor.mass": [1.0]}},
     "uncertain": {"tolerances": {"impactor.mass": "5%"}},
     "optimise": {"vary": {"impactor.mass": (1.0, 2.0)}, "minimise": "peak_force"},
+    "pareto": {"vary": {"impactor.mass": (1.0, 2.0)}, "goals": {"peak_force": "smallest", "newton": "largest"}},
 }
 TAKE_SCENES = {
     name: NEEDED.get(name, {})
