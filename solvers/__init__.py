@@ -59,6 +59,7 @@ from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
 from .studies.optimum import Optimum, optimise
+from .studies.report.report import Report, report
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
 from .studies.study.plot import plot_study
@@ -100,6 +101,7 @@ __all__ = [
     "Plan",
     "QuasiStatic",
     "RegimeMap",
+    "Report",
     "RigidImpulse",
     "RigidMass",
     "Rod",
@@ -136,6 +138,7 @@ __all__ = [
     "records",
     "reference",
     "regime_map",
+    "report",
     "scene_names",
     "seek",
     "solve",

@@ -45,6 +45,9 @@ optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that p
 optimise fixed-rod --vary impactor.mass=1..3
 plot nowhere.nc
 plot map.nc --out map.png
+report fixed-rod --out map.png
+report fixed-rod --page nowhere
+report --help
 plot --help
 uncertain fixed-rod --tolerance impactor.mass=uniform(1,3) --points 9 --figure impulse --figure contacts
 convergence fixed-rod --modes 2,4,8,16
@@ -91,7 +94,7 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
-    *("study", "optimise", "velvet", "uncertain", "plot", "file", "NAME"),
+    *("study", "optimise", "velvet", "uncertain", "plot", "report", "file", "NAME"),
     *(
         "plan",
         "joints",
@@ -113,6 +116,7 @@ TYPED = {  # in a call, as it stands
         "log",
         "SCENE",
         "LANGUAGE",
+        "URL",
     ),
 }
 DOTTED = re.compile(r"(?<!=)\b\d+\.\d")  # a number as English has it, but for values of keys
