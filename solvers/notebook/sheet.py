@@ -155,7 +155,7 @@ def _words(value: Any, unit: str) -> str:
     """What is no single number."""
     if isinstance(value, (list, tuple)):
         numbers = bool(value) and all(isinstance(each, (int, float)) for each in value)
-        inner = vector(value) if numbers else f"({', '.join(_words(each, '') for each in value)})"
+        inner = vector(value).replace("-", "−") if numbers else f"({', '.join(_words(each, '') for each in value)})"
         return f"{inner} {_unit(unit)}".rstrip()
     return _number(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else str(value)
 
