@@ -61,6 +61,7 @@ from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
 from .studies.optimum import Optimum, optimise
 from .studies.pareto import Pareto, pareto
+from .studies.report.report import Report, report
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
 from .studies.study.plot import plot_study
@@ -104,6 +105,7 @@ __all__ = [
     "Plan",
     "QuasiStatic",
     "RegimeMap",
+    "Report",
     "RigidImpulse",
     "RigidMass",
     "Rod",
@@ -142,6 +144,7 @@ __all__ = [
     "records",
     "reference",
     "regime_map",
+    "report",
     "scene_names",
     "seek",
     "solve",

@@ -54,6 +54,9 @@ optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --maximise pe
 optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --points 3
 plot nowhere.nc
 plot map.nc --out map.pdf
+report fixed-rod --out map.png
+report fixed-rod --page nowhere
+report --help
 plot --help
 uncertain fixed-rod --tolerance impactor.mass=uniform(1,3) --points 9 --figure impulse --figure contacts
 convergence fixed-rod --modes 2,4,8,16
@@ -101,7 +104,7 @@ KEYS = {
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
     *("curves", "map", "points", "parallel", "matrix", "bars"),
-    *("study", "optimise", "velvet", "uncertain", "plot", "file", "NAME"),
+    *("study", "optimise", "velvet", "uncertain", "plot", "report", "file", "NAME"),
     *(
         "plan",
         "joints",
@@ -123,6 +126,7 @@ TYPED = {  # in a call, as it stands
         "log",
         "SCENE",
         "LANGUAGE",
+        "URL",
     ),
 }
 DOTTED = re.compile(r"(?<!=)\b\d+\.\d")  # a number as English has it, but for values of keys
