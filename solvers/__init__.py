@@ -54,11 +54,14 @@ from .solve import read_method, solve
 from .stability.maps import Stability, stability
 from .studies.bounces import Bounce, Bounces, bounces
 from .studies.contact_times import ContactTimes, compare_with_half_space, contact_times
+from .studies.contour import Contour, contour
 from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
 from .studies.optimum import Optimum, optimise
+from .studies.pareto import Pareto, pareto
+from .studies.report.report import Report, report
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
 from .studies.study.plot import plot_study
@@ -82,6 +85,7 @@ __all__ = [
     "Bounces",
     "ContactPeriod",
     "ContactTimes",
+    "Contour",
     "Convergence",
     "Ensemble",
     "FeModal",
@@ -97,9 +101,11 @@ __all__ = [
     "Motion",
     "Multibody",
     "Optimum",
+    "Pareto",
     "Plan",
     "QuasiStatic",
     "RegimeMap",
+    "Report",
     "RigidImpulse",
     "RigidMass",
     "Rod",
@@ -124,18 +130,21 @@ __all__ = [
     "compare",
     "compare_with_half_space",
     "contact_times",
+    "contour",
     "convergence",
     "ensemble",
     "gradient",
     "joint_scattering",
     "load",
     "optimise",
+    "pareto",
     "plan",
     "plot_study",
     "read_method",
     "records",
     "reference",
     "regime_map",
+    "report",
     "scene_names",
     "seek",
     "solve",

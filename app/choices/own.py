@@ -10,12 +10,12 @@ from functools import lru_cache
 from typing import Any
 
 from solvers import Scene, SceneError
+from solvers.scenes.link import LONGEST
+from solvers.scenes.link import OWN as MARK
 from solvers.scenes.saved import MARK as SAVED
 
 from ..text.refusals import Refused, reason_of
 
-MARK = "own."  # with which their names begin, see app/static/wire/own.js
-LONGEST = 3_000  # letters of a name
 LONGEST_TEXT = 20_000  # bytes of the text
 AT_LINE = re.compile(r"\bline (\d+)")
 LETTERS = re.compile(r"[\w-]*")

@@ -101,6 +101,7 @@ def _parser() -> argparse.ArgumentParser:
         commands, "uncertain", text("help.uncertain.about"), uncertain.add_arguments, uncertain.print_uncertain
     )
     add_plot_command(commands)
+    _report_command(commands)
     _bounce_command(commands)
     _ensemble_command(commands)
     _gradient_command(commands)
@@ -185,6 +186,19 @@ def _sweep_command(commands: Any) -> None:
         from .sweep import print_sweep
 
         return print_sweep(_scene(options), options.vary, options.figure, options.json)
+
+    parser.set_defaults(run=run)
+
+
+def _report_command(commands: Any) -> None:
+    from . import report
+
+    parser = commands.add_parser("report", help=text("help.report.about"))
+    _scene_arguments(parser)
+    report.add_arguments(parser)
+
+    def run(options: argparse.Namespace) -> int:
+        return report.print_report(_scene(options), parse_changes(options.changes), options)
 
     parser.set_defaults(run=run)
 

@@ -9,7 +9,7 @@ from html import escape
 from typing import Any
 
 from ..text.catalogue import library, spoken
-from . import tables, uncertain_tables
+from . import contour_tables, tables, uncertain_tables
 from .words import existing, family, listed, named, shown, text, vector
 
 Rows = Iterable[tuple[str, str]]
@@ -237,6 +237,17 @@ def sought_card(found: Any) -> str:
     ]
     said = [tables.sought_for(found), *tables.sought_beside(found), *found.notes]
     return _card("seek", found.title, _table(tables.sought_heads(found), rows), said)
+
+
+def contour_card(found: Any) -> str:
+    """A row for each vertex that the table has, and what is to be said besides."""
+    rows = [
+        (head if n == 0 else "", *map(_number, vertex))
+        for head, vertices in contour_tables.parts(found)
+        for n, vertex in enumerate(vertices)
+    ]
+    said = [contour_tables.asked(found), *contour_tables.beside(found), *found.notes]
+    return _card("contour", found.title, _table(["", *contour_tables.heads(found)], rows), said)
 
 
 def comparison_card(found: Any) -> str:

@@ -6,16 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from .. import validation
-from ..accuracy.auto import Auto
-from ..methods import METHODS
-from ..methods.base import Method
-from ..numerics.processors import all_processors
-from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
-from ..solution.solution import Solution
-from ..solve import read_method
 from ..text.notes import Note, Severity, coded
-from ..validation import SceneError, allowed
+from ..validation import SceneError
+from .answers import Answers, middle_of, read_range, read_wanted
 from .crossings import Crossings
 from .figures import FIGURES
 from .sweep import spaced
@@ -117,8 +111,8 @@ def seek(
     each jump or dip. Raises SceneError for a key, a figure or a range that is none, or if no value can be solved.
     """
     scene = scene_of(scene)
-    figure, wanted = _wanted(such_that)
-    low, high = _range(between)
+    figure, wanted = read_wanted(such_that)
+    low, high = read_range("between", between)
     validation.whole_number("samples", samples, LEAST_SAMPLES, MOST_SAMPLES)
     try:
         values = spaced(low, high, samples, spacing).tolist()
@@ -126,12 +120,10 @@ def seek(
         raise SceneError(
             refused.key if refused.key == "spacing" else "between", refused.value, refused.reason
         ) from None
-    if scene.normal is not None:
-        raise SceneError("scene", "bodies in space", allowed("scenes-on-axis"))
-    answers = _Answers(scene, key, figure)
-    answers.settle(0.5 * (low + high) if low <= 0.0 else math.sqrt(low * high))
-    answers.solve(values, workers)
-    missing = dict(sorted(answers.missing.items()))
+    answers = Answers(scene, (key,), figure)
+    answers.settle((middle_of(low, high),))
+    answers.solve([(value,) for value in values], workers)
+    missing = {value: refused for (value,), refused in sorted(answers.missing.items())}
     found = Crossings(answers.at, wanted)
     found.search(values)
     some = bool(found.roots or found.stretches)
@@ -141,100 +133,14 @@ def seek(
     return Sought(
         scene.title, answers.name, key, unit_of(scene, key), low, high, figure, FIGURES[figure][0], wanted,
         roots, found.stretches, [Jump(*jump) for jump in found.jumps],
-        None if some or found.roots else answers.nearest(wanted), len(values), len(missing),
+        None if some or found.roots else _nearest(answers, wanted), len(values), len(missing),
         [*_notes(values, missing, answers), *_steep(roots)],
     )  # fmt: skip
 
 
-def _wanted(such_that: Mapping[str, float]) -> tuple[str, float]:
-    """The figure and its value."""
-    if not isinstance(such_that, Mapping) or len(such_that) != 1:
-        raise SceneError("such_that", such_that, allowed("one-figure"))
-    ((figure, value),) = such_that.items()
-    figure = validation.choice("such_that", figure, FIGURES)
-    return figure, _finite(f"such_that.{figure}", value)
-
-
-def _range(between: tuple[float, float]) -> tuple[float, float]:
-    try:
-        low, high = between
-    except (TypeError, ValueError):
-        raise SceneError("between", between, allowed("range")) from None
-    return _finite("between", low), _finite("between", high)
-
-
-def _finite(key: str, value: float) -> float:
-    try:
-        return validation.number(key, value, -math.inf, math.inf)
-    except SceneError as refused:
-        raise SceneError(key, refused.value, allowed("finite")) from None
-
-
-class _Answers:
-    """The figure over the key: what is solved, and why what is not has no answer."""
-
-    def __init__(self, scene: Scene, key: str, figure: str):
-        self.scene, self.key, self.figure = scene, key, figure
-        self.known: dict[float, float] = {}
-        self.missing: dict[float, SceneError] = {}
-        self.chosen: Method | None = None
-        self.chosen_at, self.name = math.nan, ""
-
-    def settle(self, value: float) -> None:
-        """Have what `auto` chooses for this value solve all, as its choices differ from value to value."""
-        try:
-            changed, method, duration = self._asked(value)
-            if isinstance(method, Auto):
-                table = method.solve(changed, duration).method
-                options = {name: option for name, option in table.items() if name != "name" and option is not None}
-                self.chosen, self.chosen_at = METHODS[str(table["name"])].read(options), value
-        except SceneError:  # a hole in the middle: `auto` chooses for each
-            pass
-
-    def solve(self, values: Sequence[float], workers: int | None) -> None:
-        """All of these. Raises SceneError if none can be solved, or for a key that takes no fractions."""
-        self.at(values[0])  # alone: if kernels must be compiled, then once
-        with all_processors(workers) as pool:
-            list(pool.map(self.at, values[1:]))
-        refused = [self.missing[value] for value in values if value in self.missing]
-        if refused and refused[0].reason.code == "allowed.whole-number":
-            raise SceneError("key", self.key, allowed("perturbed-real"))
-        if len(refused) == len(values):
-            raise refused[0]
-
-    def at(self, value: float) -> float:
-        """The figure; NaN where the scene is refused, or has no such figure."""
-        if value not in self.known:
-            try:
-                found = FIGURES[self.figure][1](self._solved(value))
-                if found is None:
-                    raise SceneError(self.figure, None, allowed("existing-figure"))
-                self.known[value] = float(found)
-            except SceneError as refused:
-                self.known[value], self.missing[value] = math.nan, refused
-        return self.known[value]
-
-    def _solved(self, value: float) -> Solution:
-        """Without the estimate of the error, which costs as much again, unless it is what is asked for."""
-        changed, method, duration = self._asked(value)
-        self.name = method.NAME
-        return (method if self.figure == "estimated_error" else method.without_estimate()).solve(changed, duration)
-
-    def _asked(self, value: float) -> tuple[Scene, Method, float | None]:
-        changed = self.scene.replace({self.key: value})
-        method, duration = read_method(changed.method, changed)
-        return changed, self.chosen or method, duration
-
-    def warnings(self, value: float) -> list[Note]:
-        """On the whole solution, with its estimate of the error."""
-        changed, method, duration = self._asked(value)
-        grave = (Severity.WARNING, Severity.INVALID)
-        return [note for note in method.solve_in_full(changed, duration).notes if note.severity in grave]
-
-    def nearest(self, wanted: float) -> tuple[float, float]:
-        """Of all that is solved, the value of the key whose figure is nearest, and that figure."""
-        there = {value: found for value, found in self.known.items() if not math.isnan(found)}
-        return min(there.items(), key=lambda each: abs(each[1] - wanted))
+def _nearest(answers: Answers, wanted: float) -> tuple[float, float]:
+    (value,), figure = answers.nearest(wanted)
+    return value, figure
 
 
 def _spacing(values: Sequence[float], root: float) -> float:
@@ -243,10 +149,10 @@ def _spacing(values: Sequence[float], root: float) -> float:
     return values[after] - values[after - 1]
 
 
-def _root(answers: _Answers, found: Crossings, value: float, spacing: float, ends: tuple[float, float]) -> Root:
+def _root(answers: Answers, found: Crossings, value: float, spacing: float, ends: tuple[float, float]) -> Root:
     slope = found.slope(value, spacing, *ends)
     elasticity = None if slope is None or found.wanted == 0.0 else slope * value / found.wanted
-    return Root(value, slope, elasticity, answers.warnings(value))
+    return Root(value, slope, elasticity, answers.warnings((value,)))
 
 
 def _steep(roots: Sequence[Root]) -> list[Note]:
@@ -255,19 +161,18 @@ def _steep(roots: Sequence[Root]) -> list[Note]:
     return [Note("sought-where-steep", Severity.WARNING, steep=steep, times=STEEP)] if steep else []
 
 
-def _notes(values: Sequence[float], missing: Mapping[float, SceneError], answers: _Answers) -> list[Note]:
+def _notes(values: Sequence[float], missing: Mapping[float, SceneError], answers: Answers) -> list[Note]:
     """How finely it was sought, what was refused, and what `auto` chose."""
     count, by_factor = len(values), not math.isclose(values[1] - values[0], values[-1] - values[-2], rel_tol=1e-6)
     step = values[1] / values[0] if by_factor else values[1] - values[0]
-    unit = unit_of(answers.scene, answers.key) or "none"
+    unit = unit_of(answers.scene, *answers.keys) or "none"
     notes = [Note("sought-among-samples", Severity.REMARK, samples=count, by_factor=by_factor, step=step, unit=unit)]
     if missing:
         value, refused = next(iter(missing.items()))
-        own = refused.key == answers.key
-        why = {"own": own, "why": (refused.reason if own else refused.note).table()}
-        said = {"refused": len(missing), "samples": count, "key": answers.key, "value": value, **why}
+        said = {"refused": len(missing), "samples": count, "key": answers.keys[0], "value": value}
+        said |= answers.why(refused)
         notes.append(Note("sought-with-holes", Severity.WARNING, **said))
     if answers.chosen is not None:
-        said = {"method": answers.chosen.NAME, "key": answers.key, "value": answers.chosen_at}
+        said = {"method": answers.chosen.NAME, "key": answers.keys[0], "value": answers.chosen_at[0]}
         notes.append(Note("sought-by-one-method", Severity.REMARK, **said))
     return notes

@@ -4,6 +4,7 @@ import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from ..validation import SceneError, allowed
 from .figures import FIGURES, asked_for
 from .sensitivity import plain
 from .study.design import Design, paired_design
+from .study.plot import pictured
 from .study.study import Progress, crew_size, points_of
 from .study.work import Work
 
@@ -79,6 +81,17 @@ class Uncertain:
         rest = {name: value for name, value in vars(self).items() if name not in ("figures", "dataset", "notes")}
         figures = {name: _table(outcome) for name, outcome in self.figures.items()}
         return plain(rest | {"figures": figures}) | coded(self.notes)
+
+    def plot(self, figure: str | None = None, out: str | Path | None = None) -> Any:
+        """A HoloViews object: the total indices of Sobol of one figure, the first by default, with 95 % intervals.
+
+        Inputs stand one below another, that with the largest index first. `out`: a file to write, too, .png or .svg.
+        Raises SceneError for a figure that is not there or has no indices, and for other files; ImportError for a file
+        without the extra `plot`.
+        """
+        from ..notebook import uncertain_plots  # loads HoloViews, which nothing else here needs
+
+        return pictured(lambda: uncertain_plots.uncertain(self, figure), out)
 
     def __str__(self) -> str:
         from ..notebook import uncertain_tables

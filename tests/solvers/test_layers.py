@@ -25,7 +25,7 @@ def test_the_library_loads_neither_the_page_nor_anything_slow():
     call = (
         "import sys, solvers; "
         "slow = ('app', 'panel', 'param', 'bokeh', 'holoviews', 'xarray', 'tornado', 'solvers.notebook', "
-        "'dask', 'distributed'); "
+        "'dask', 'distributed', 'matplotlib'); "
         "print([name for name in slow if name in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", call], cwd=ROOT, capture_output=True, text=True, timeout=SECONDS)

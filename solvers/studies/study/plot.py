@@ -1,12 +1,23 @@
 """A study as a picture, and its file."""
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from ...validation import SceneError, allowed
 from .study import file_of
 
+PICTURES = (".png", ".svg")
 
-def plot_study(dataset: Any, figure: str | None = None, x: str | None = None, y: str | None = None) -> Any:
+
+def plot_study(
+    dataset: Any,
+    figure: str | None = None,
+    x: str | None = None,
+    y: str | None = None,
+    kind: str | None = None,
+    out: str | Path | None = None,
+) -> Any:
     """A HoloViews object: one figure of the Dataset of a `study`, its first one by default, over its keys.
 
     Over one key a curve, with a gap and a line where the number of contacts changes (if `contacts` is among the
@@ -15,11 +26,35 @@ def plot_study(dataset: Any, figure: str | None = None, x: str | None = None, y:
     are at their first values, which the title names. Of points drawn by chance a scatter over each key, or over `x`,
     coloured by the next key, or by `y`. Axes are of powers where values are a constant factor apart. Points that are
     refused, or have no such figure, are grey crosses. SI units.
-    Raises SceneError for a figure or a key that the study does not have.
+    `kind`: "curves", "map" or "points" instead of the usual one; "parallel", a line for each point over all keys and
+    figures, coloured by `figure`; "matrix", scatters of all figures over all keys; "bars", the squared rank correlation
+    (Spearman) of the figure with each key, the largest first: a key with which the figure rises and falls again has
+    a small one. For words, and keys that go together, it is the part of the variance of ranks between their values.
+    Beyond 1e5 points scatters and maps have means or counts of cells, curves the lowest and highest of stretches.
+    `out`: a file to write, too, .png or .svg, which Matplotlib draws without a window.
+    Raises SceneError for a figure or a key that the study does not have, a kind that it has no picture of, and other
+    files; ImportError for a file without the extra `plot`; OSError where it cannot be written.
     """
     from ...notebook import study_plots  # loads HoloViews, which nothing else here needs
 
-    return study_plots.study(dataset, figure, x, y)
+    return pictured(lambda: study_plots.study(dataset, figure, x, y, kind), out)
+
+
+def pictured(draw: Callable[[], Any], out: str | Path | None) -> Any:
+    """What is drawn; written to a file, too, if there is one. Raises as `plot_study`."""
+    if out is None:
+        return draw()
+    path = Path(out)
+    if path.suffix not in PICTURES:
+        raise SceneError("out", str(out), allowed("study-file", options=list(PICTURES)))
+    if not path.parent.is_dir():
+        raise SceneError("out", str(out), allowed("study-folder"))
+    from ...notebook import pictures  # loads Matplotlib, which nothing else needs
+
+    pictures.ready()
+    drawn = draw()
+    path.write_bytes(pictures.picture(drawn, path.suffix))
+    return drawn
 
 
 def study_of(name: str) -> Any:

@@ -12,6 +12,13 @@ SOUGHT = {  # with --find
     "method", "key", "unit", "low", "high", "figure", "figure_unit", "wanted", "roots", "stretches", "jumps", "nearest",
     "samples", "refused", "notes", "note_codes",
 }  # fmt: skip
+COMPROMISES = {
+    "goals", "points", "units", "limits", "solves", "refused", "warnings", "notes", "note_codes",
+}  # fmt: skip
+CONTOUR = {  # with --find twice
+    "method", "keys", "figure", "figure_unit", "wanted", "lines", "jumps", "nearest", "refused", "solves", "warnings",
+    "notes", "note_codes",
+}  # fmt: skip
 
 
 def answer(capsys, *arguments: str) -> str:

@@ -34,6 +34,11 @@ solve four-bar
 solve fixed-rod --find impactor.mass=-1..3:20 --such-that contacts=1.5
 solve fixed-rod --find impactor.mass=1..3:20 --such-that impactor_velocity=-0.9
 solve fixed-rod --find impactor.mass=1..3:20 --such-that contacts=2
+solve fixed-rod --find impactor.mass=-1..3:5 --find target.length=0.4..1:5 --such-that contacts=1.5
+solve fixed-rod --find impactor.mass=1..3:5 --find target.length=0.4..1:5 --such-that impactor_velocity=-0.9
+solve fixed-rod --find impactor.mass=1..3:5 --find target.length=0.2..1:5 --such-that contacts=2
+solve fixed-rod --find impactor.mass=1..3:5 --find impactor.mass=1..2 --such-that contacts=2
+solve fixed-rod --find impactor.mass=1..3 --find target.length=1..2 --find impactor.velocity=1..2 --such-that contacts=2
 plan fixed-rod
 bounce bouncing-ball
 sweep fixed-rod --vary impactor.velocity=0.5..1.5:2
@@ -43,8 +48,15 @@ study fixed-rod
 optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that peak_stress<=1e8 --solves 60
 optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --such-that peak_stress<=1 --solves 60
 optimise fixed-rod --vary impactor.mass=1..3
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --maximise newton --solves 200 --points 5
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --maximise newton --such-that peak_stress<=1
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --maximise peak_force
+optimise fixed-rod --vary impactor.mass=1..3 --minimise peak_force --points 3
 plot nowhere.nc
-plot map.nc --out map.png
+plot map.nc --out map.pdf
+report fixed-rod --out map.png
+report fixed-rod --page nowhere
+report --help
 plot --help
 uncertain fixed-rod --tolerance impactor.mass=uniform(1,3) --points 9 --figure impulse --figure contacts
 convergence fixed-rod --modes 2,4,8,16
@@ -91,7 +103,8 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
-    *("study", "optimise", "velvet", "uncertain", "plot", "file", "NAME"),
+    *("curves", "map", "points", "parallel", "matrix", "bars"),
+    *("study", "optimise", "velvet", "uncertain", "plot", "report", "file", "NAME"),
     *(
         "plan",
         "joints",
@@ -113,6 +126,7 @@ TYPED = {  # in a call, as it stands
         "log",
         "SCENE",
         "LANGUAGE",
+        "URL",
     ),
 }
 DOTTED = re.compile(r"(?<!=)\b\d+\.\d")  # a number as English has it, but for values of keys

@@ -1,10 +1,13 @@
 """`impact plot`: the page that it writes, and the one line of each refusal."""
 
 import re
+import sys
 
 import pytest
 
 import solvers
+from app.command.plot import KINDS
+from solvers.notebook import study_plots
 
 from .calls import answer, refusal
 
@@ -26,13 +29,42 @@ def test_a_page_that_needs_nothing_else(capsys, map_of, tmp_path):
     assert re.findall(r"<(?:script|link|img)\b[^>]*\b(?:src|href)=", page) == []
 
 
+def test_pictures_without_a_page(capsys, map_of, tmp_path):
+    for kind, ending, begin in (("map", "png", b"\x89PNG"), ("matrix", "svg", b"<?xml"), ("points", "svg", b"<?xml")):
+        out = tmp_path / f"{kind}.{ending}"
+        assert answer(capsys, "plot", map_of, "--kind", kind, "--out", str(out)) == f"written: {out}\n"
+        assert out.read_bytes().startswith(begin)
+    page = tmp_path / "matrix.html"
+    answer(capsys, "plot", map_of, "--kind", "matrix", "--out", str(page))
+    assert "figures over keys" in page.read_text("utf-8")
+
+
+def test_without_matplotlib_a_picture_is_refused_and_a_page_is_written(capsys, map_of, tmp_path, monkeypatch):
+    monkeypatch.delitem(sys.modules, "solvers.notebook.pictures", raising=False)
+    monkeypatch.delattr(solvers.notebook, "pictures", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    said = refusal(capsys, "plot", map_of, "--out", str(tmp_path / "map.svg"))
+    assert "a name that ends in .html, as PNG and SVG need matplotlib: pip install 'strikewave[plot]'" in said
+    answer(capsys, "plot", map_of, "--out", str(tmp_path / "map.html"))
+
+
+def test_kinds_are_those_of_the_library():
+    assert KINDS == study_plots.KINDS
+
+
 def test_each_refusal_is_one_line(capsys, map_of, tmp_path):
     other = tmp_path / "other.nc"
     other.write_bytes(b"none")
     for options, said in (
-        ((map_of, "--out", "map.png"), "--out: got 'map.png'; allowed: the name of a file that ends in .html"),
-        ((map_of, "--out", "map.svg"), "ends in .html"),
+        ((map_of, "--out", "map.pdf"), "--out: got 'map.pdf'; allowed: the name of a file that ends in .html or .png"),
         ((map_of, "--out", "/nowhere/map.html"), "--out: got '/nowhere/map.html'"),
+        ((map_of, "--out", "/nowhere/map.svg"), "--out: got '/nowhere/map.svg'"),
+        ((map_of, "--kind", "pie"), "--kind: got 'pie'; allowed: 'curves', 'map', 'points'"),
+        ((map_of, "--kind", "bars"), "--kind: got 'bars'; allowed: another kind: bars need at least 10 points"),
+        (
+            (map_of, "--kind", "matrix", "--x", "impactor.mass"),
+            "--x: got 'impactor.mass'; allowed: nothing",
+        ),
         ((map_of, "--figure", "heat"), "--figure: got 'heat'"),
         ((map_of, "--x", "heat"), "--x: got 'heat'"),
         ((map_of, "--x", "impactor.mass", "--y", "impactor.mass"), "--y: got 'impactor.mass'"),

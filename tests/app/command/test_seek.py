@@ -7,7 +7,7 @@ from pytest import approx
 
 import solvers
 from solvers.text.catalogue import CHOSEN
-from tests.app.command.calls import SOUGHT, answer, refusal
+from tests.app.command.calls import CONTOUR, SOUGHT, answer, refusal
 
 PAD = ("docs/hammer.toml", "--find", "contact.stiffness=2e5..2e7")
 ASKED = ("--such-that", "peak_force=3e3")
@@ -64,3 +64,52 @@ def test_in_spanish(capsys, monkeypatch):
 )
 def test_bad_words_are_refused_in_a_line(capsys, options, said):
     assert refusal(capsys, "solve", PAD[0], *options).startswith(f"impact: {said}")
+
+
+# --- over two keys ---
+
+BOTH = (*PAD, "--find", "impactor.velocity=1..4:4", *ASKED)
+
+
+def test_lines_over_two_keys_as_a_table_and_in_json(capsys):
+    found = json.loads(answer(capsys, "solve", *BOTH, "--json"))
+    assert set(found) == CONTOUR
+    assert [(each["key"], each["samples"]) for each in found["keys"]] == [
+        ("contact.stiffness", 25),
+        ("impactor.velocity", 4),
+    ]
+    (line,) = found["lines"]
+    for stiffness, speed in line["vertices"][::5]:
+        scene = solvers.load("docs/hammer.toml").replace({"contact.stiffness": stiffness, "impactor.velocity": speed})
+        assert solvers.solve(scene).peak_force == approx(3e3, rel=1e-9)
+    printed = answer(capsys, "solve", *BOTH)
+    assert f"line 1, open: {len(line['vertices'])} vertices" in printed and "25 x 4 points" in printed
+    assert sum(text.startswith("      ") for text in printed.splitlines()) == 7
+
+
+def test_lines_in_spanish(capsys, monkeypatch):
+    monkeypatch.setenv(CHOSEN, "es")
+    call = ("--find", "impactor.mass=-1..3:5", "--find", "target.length=0.4..1:5", "--such-that", "contacts=1.5")
+    printed = answer(capsys, "solve", "fixed-rod", *call)
+    assert "ninguna línea, un salto" in printed and "salto 1, abierto, de 1 a 2" in printed and "se admite" in printed
+
+
+@pytest.mark.parametrize(
+    "finds, said",
+    [
+        (("contact.stiffness=1..2", "contact.stiffness=1..3"), "got 'contact.stiffness=1..3'; allowed: another key"),
+        (
+            ("contact.stiffness=1..2", "impactor.mass=1..2", "target.length=1..2"),
+            "got 'target.length=1..2'; allowed: one",
+        ),
+        (("contact.stiffness=1..2", "impactor.mass"), "got 'impactor.mass'; allowed: KEY=LOW..HIGH"),
+        (
+            ("contact.stiffness=1..2", "impactor.mass=2..1"),
+            "impactor.mass: got (2.0, 1.0); allowed: two finite numbers",
+        ),
+        (("contact.stiffness=1..2", "impactor.mass=1..2:2"), "got 2; allowed: a whole number from 3 to 500"),
+    ],
+)
+def test_two_keys_that_cannot_be_are_refused_in_a_line(capsys, finds, said):
+    options = [word for find in finds for word in ("--find", find)]
+    assert refusal(capsys, "solve", PAD[0], *options, *ASKED).split("--find", 1)[1].strip(": ").startswith(said)

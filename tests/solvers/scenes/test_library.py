@@ -97,9 +97,14 @@ def test_files_that_do_not_exist(name):
 NEEDED = {  # besides the scene
     "sweep": {"values": [1.0], "key": "impactor.mass"},
     "seek": {"key": "impactor.mass", "between": (1.0, 2.0), "such_that": {"peak_force": 1.0}},
+    "contour": {
+        "between": {"impactor.mass": (1.0, 2.0), "impactor.velocity": (1.0, 2.0)},
+        "such_that": {"peak_force": 1.0},
+    },
     "study": {"vary": {"impactor.mass": [1.0]}},
     "uncertain": {"tolerances": {"impactor.mass": "5%"}},
     "optimise": {"vary": {"impactor.mass": (1.0, 2.0)}, "minimise": "peak_force"},
+    "pareto": {"vary": {"impactor.mass": (1.0, 2.0)}, "goals": {"peak_force": "smallest", "newton": "largest"}},
 }
 TAKE_SCENES = {
     name: NEEDED.get(name, {})

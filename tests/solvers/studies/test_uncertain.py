@@ -37,6 +37,22 @@ def small():
     return uncertain(SPRING, SMALL, FIGURES, 256, workers=2)
 
 
+def test_bars_have_the_total_indices_with_their_intervals(small, tmp_path):
+    out = tmp_path / "own.svg"
+    bars, within = small.plot("impulse", out)
+    outcome = small.figures["impulse"]
+    assert list(bars["input"]) == outcome.ranking[::-1]
+    assert list(bars["total"]) == [outcome.shares[key].total for key in outcome.ranking[::-1]]
+    for key, total, below, above in zip(*map(within.dimension_values, range(4)), strict=True):
+        low, high = outcome.shares[key].total_within
+        assert (total - below, total + above) == approx((low, high))
+    assert "total index of Sobol" in out.read_text("utf-8")
+    assert list(next(iter(small.plot()))["input"]) == small.figures["peak_force"].ranking[::-1]
+    for figure, said in (("heat", "figure: got 'heat'"), ("contacts", "allowed: a figure with indices")):
+        with pytest.raises(SceneError, match=said):
+            small.plot(figure)
+
+
 def test_a_product_of_powers_owes_each_factor_its_square(small):
     peak = small.figures["peak_force"]
     assert peak.mean == approx(math.sqrt(2e6), rel=1e-3)
