@@ -4,7 +4,7 @@ import numpy as np
 
 import solvers
 from solvers import Modal, ensemble
-from solvers.methods.modal.method import again
+from solvers.methods.modal.march import again
 
 from .kernels import bare_rotation
 from .size import of

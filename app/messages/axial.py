@@ -14,7 +14,7 @@ from solvers.bodies import AnyBody, Balls, FlexiblePendulum
 from solvers.contact.duration import exponent_of
 from solvers.contact.protocol import Damped
 from solvers.contact.viscous import LEAST_RESTITUTION
-from solvers.methods.modal.method import ModalMotion
+from solvers.methods.modal.motion import ModalMotion
 from solvers.methods.quasi_static.balls import RowMotion
 from solvers.methods.theory_limits import OF_THEORY
 from solvers.methods.validity import TWICE

@@ -9,7 +9,7 @@ import numpy as np
 
 from solvers import Solution
 from solvers.methods.mechanisms import MechanismMotion
-from solvers.methods.modal.method import ModalMotion
+from solvers.methods.modal.motion import ModalMotion
 from solvers.methods.multibody.motion import MovingMotion
 
 from .encoding import FORCE_POINTS, Stretch, around, force_history, instants, over

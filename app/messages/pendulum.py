@@ -7,7 +7,7 @@ import numpy as np
 from solvers import Solution, Waves
 from solvers.bodies import AnyBody, FlexiblePendulum, Pendulum, Pivoted
 from solvers.methods.finite_elements.motion import ElementMotion
-from solvers.methods.modal.method import ModalMotion
+from solvers.methods.modal.motion import ModalMotion
 from solvers.solution.motion import Motion
 
 from .encoding import whole_numbers

@@ -6,7 +6,7 @@ import numpy as np
 
 from solvers import Solution
 from solvers.bodies import AnyBody, RotatingRod
-from solvers.methods.modal.method import ModalMotion
+from solvers.methods.modal.motion import ModalMotion
 
 from .encoding import whole_numbers
 

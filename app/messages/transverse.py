@@ -13,7 +13,7 @@ from solvers import METHODS, Method, Modal, RigidImpulse, Solution
 from solvers.accuracy.reference import MODES_BESIDE
 from solvers.contact.duration import exponent_of
 from solvers.methods import usual_method
-from solvers.methods.modal.method import ModalMotion
+from solvers.methods.modal.motion import ModalMotion
 from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
 from solvers.scenes.saved import saved_head

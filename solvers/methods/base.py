@@ -180,6 +180,12 @@ class Method(ABC):
         estimates = any(option.name == "estimate" for option in fields(self))
         return replace(self, **{"estimate": False}) if estimates else self
 
+    def for_figures(self, fields: bool, estimate: bool) -> Self:
+        """Itself for who reads figures and no notes, and solves many: without what only others need of its solutions.
+
+        fields: whether those of the motion are read; estimate: whether the estimated error is."""
+        return self if estimate else self.without_estimate()
+
     def _again(self, solution: Solution) -> "Method":
         """What has found the solution, without its estimate of the error, which costs as much again."""
         return self.without_estimate()

@@ -86,6 +86,14 @@ def least_opening(compliance, step, window, force, impulses):
     return LEAST_OPENING * compliance * _highest(0, force.size, step, window, force, impulses)
 
 
+@kernel
+def pressed(force, until):
+    """How many steps it took, of `until`, to the end of the last one with a force; 0: there is none."""
+    while until > 0 and force[until - 1] == 0.0:
+        until -= 1
+    return until
+
+
 @inner_kernel
 def _closes(k, record, step, deepest, law, constants, slopes):
     """Whether a dent closes within this step without a force, and yet as slowly as the law lets it: not parted yet."""

@@ -12,6 +12,7 @@ from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts
+from .flights import Flights
 from .modal_steps import LEAST_STEPS, usual_step
 from .modes import half_period
 from .oscillators import Bank, Record, carried_to, march_in_place, rate_at, residual_spring, ringing, set_bank
@@ -158,9 +159,11 @@ def figures(asked, of_law, residual, bodies, modes, step, stride, record, room, 
 def _march(law, residual, bodies, step, stride, room, begin, end):
     record, bank = room.record, room.bank
     turning = bank.cosine, bank.sine, bank.turned_kick_displacement, bank.turned_kick_velocity
-    oscillators = room.displacement, room.velocity
+    oscillators, none = (room.displacement, room.velocity), room.displacement[:0]
+    every = Flights(none, none, none)  # step is marched, as it is drawn
+    masses = bodies[0], bodies[1]
     march_in_place(
-        law, residual, bodies[0], bodies[1], 0.0, 0.0, step, bank, *turning, *oscillators, stride, begin, end, record
+        law, residual, *masses, 0.0, 0.0, step, bank, *turning, *oscillators, stride, begin, end, record, every
     )
 
 

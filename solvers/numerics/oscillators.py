@@ -17,6 +17,7 @@ from ..jit.clock import check_time
 from ..jit.kernels import allocating_kernel, inner_kernel, inner_summing_kernel, kernel
 from ..jit.reference import refer
 from .arrays import copy_to, largest
+from .flights import Flights, fly
 
 
 class Bank(NamedTuple):
@@ -173,7 +174,31 @@ def march(law, residual, mass, rigid_mass, fall, surge, step, bank, displacement
         bank.turned_kick_displacement.copy(),
         bank.turned_kick_velocity.copy(),
     )
-    march_in_place(law, residual, mass, rigid_mass, fall, surge, step, bank, *turning, q, p, stride, begin, end, record)
+    every = Flights(q[:0], q[:0], q[:0])  # step is marched
+    march_in_place(
+        law, residual, mass, rigid_mass, fall, surge, step, bank, *turning, q, p, stride, begin, end, record, every
+    )
+    copy_to(displacement, q)
+    copy_to(velocity, p)
+
+
+@allocating_kernel
+def march_for_figures(
+    law, residual, mass, rigid_mass, step, bank, displacement, velocity, stride, begin, end, record, flights
+):
+    """The same without weight, for what has to be known of contacts and of the end: `flights` are taken at once. In
+    them the record has no force, the gap with which they begin and the velocities, and nothing else."""
+    bank, record, flights = refer(bank), refer(record), refer(flights)
+    q, p = displacement.copy(), velocity.copy()
+    turning = (
+        bank.cosine.copy(),
+        bank.sine.copy(),
+        bank.turned_kick_displacement.copy(),
+        bank.turned_kick_velocity.copy(),
+    )
+    march_in_place(
+        law, residual, mass, rigid_mass, 0.0, 0.0, step, bank, *turning, q, p, stride, begin, end, record, flights
+    )
     copy_to(displacement, q)
     copy_to(velocity, p)
 
@@ -194,7 +219,7 @@ def _check_in(bank, record, row, stride, force, q, p):
 @inner_summing_kernel
 def march_in_place(
     law, residual, mass, rigid_mass, fall, surge, step, bank,
-    cosine, sine, q_kick, p_kick, q, p, stride, begin, end, record,
+    cosine, sine, q_kick, p_kick, q, p, stride, begin, end, record, flights,
 ):  # fmt: skip
     gain, rigid_gain, rate = step / mass, step / rigid_mass, 1.0 / step
     stiff = 0.5 * step * (gain + rigid_gain) + bank.kick_displacement.sum()  # a step's compliance without the residual
@@ -205,14 +230,13 @@ def march_in_place(
     memory, usual = law.unloading(deepest), 1.0 / (0.5 + residual.settling)
     touched = begin == 0 or record.indentation[begin - 1] <= 0.0
     bending, force, force_before = q.sum(), 0.0, 0.0
-    until_checkpoint = stride - begin % stride
     forces, indentations, springs, losses = record.contact_force, record.indentation, record.spring_force, record.lost
-    for k in range(begin, end):
+    k, checkpoint = begin, begin + stride - begin % stride
+    while k < end:
         sped_up = step * (fall + surge * step * (k + 0.5))
         free = (x - rigid_x) + step * (v + 0.5 * sped_up - rigid_v) - bending
-        expected = force + force - force_before
-        force_before = force
-        apart = indentation <= 0.0
+        expected, at_rest = force + force - force_before, force == 0.0
+        force_before, apart = force, indentation <= 0.0
         inverse = 1.0 if residual.jumps and (apart or touched) else usual  # of the weight of the new force
         free += residual.compliance * (inverse - 1.0) * spring
         compliance = stiff + residual.compliance * inverse
@@ -229,10 +253,17 @@ def march_in_place(
         v += sped_up - gain * force
         rigid_x += step * (rigid_v + 0.5 * rigid_gain * force)
         rigid_v += rigid_gain * force
-        until_checkpoint -= 1
-        if until_checkpoint == 0:
-            until_checkpoint = stride
-            _check_in(bank, record, (k + 1) // stride, stride, force, q, p)
+        forces[k] = force
+        k += 1
+        indentations[k], springs[k], losses[k] = indentation, spring, lost
+        record.position[k], record.velocity[k] = x, v
+        record.rigid_position[k], record.rigid_velocity[k] = rigid_x, rigid_v
+        if k == checkpoint:
+            _check_in(bank, record, k // stride, stride, force, q, p)
+            if flights.angle.size > 0 and at_rest and force == 0.0 and apart and indentation < 0.0:
+                k = fly(flights, q, p, record, k, end, stride, step, residual.compliance, inverse)
+                x, rigid_x, spring, lost = record.position[k], record.rigid_position[k], springs[k], losses[k]
+            checkpoint = k + stride
         bending = 0.0
         if force != 0.0:
             for i in range(q.size):
@@ -246,10 +277,6 @@ def march_in_place(
                 p[i] = cosine[i] * p[i] - sine[i] * q[i]
                 q[i] = turned
                 bending += turned
-        forces[k] = force
-        indentations[k + 1], springs[k + 1], losses[k + 1] = indentation, spring, lost
-        record.position[k + 1], record.velocity[k + 1] = x, v
-        record.rigid_position[k + 1], record.rigid_velocity[k + 1] = rigid_x, rigid_v
 
 
 @inner_kernel

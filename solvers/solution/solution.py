@@ -56,7 +56,8 @@ def apparent_time(contacts: Sequence[ContactPeriod]) -> float | None:
     return lasted if lasted > 0.0 else None
 
 
-SUMMARY = ("impulse", "impactor_velocity", "target_velocity", "restitution", "energy", "diagnostics")
+VELOCITIES = ("impulse", "impactor_velocity", "target_velocity")
+SUMMARY = (*VELOCITIES, "restitution", "energy", "diagnostics")
 
 
 class Later:
@@ -66,10 +67,10 @@ class Later:
         self.work = work
 
 
-def later(work: Callable[[], dict[str, Any]]) -> dict[str, Any]:
-    """The figures of `summary`, worked out together when the first of them is read."""
-    found = cache(work)
-    return {name: Later(lambda _, name=name: found()[name]) for name in SUMMARY}
+def later(work: Callable[[], dict[str, Any]], cheap: Callable[[], dict[str, Any]] | None = None) -> dict[str, Any]:
+    """The figures of `summary`, worked out together when one is read; `cheap`: those of `summary.velocities` alone."""
+    found = dict.fromkeys(SUMMARY, cache(work)) | dict.fromkeys(VELOCITIES, cache(cheap or work))
+    return {name: Later(lambda _, name=name: found[name]()[name]) for name in SUMMARY}
 
 
 class _Figure:
@@ -130,16 +131,15 @@ class Solution:
     notes: list[Note] = _Figure()
     peak_force: float | Any  # [N]; None: an impact of no duration
     peak_indentation: float | None  # [m]
-    residual_indentation: float | None  # that is left in the surfaces [m]
+    residual_indentation: float | None  # left in the surfaces [m]
     effective_mass: float | None = None  # of the contact [kg], where the impact is one impulse
     impactor_spin: Any = _Spin()  # [rad/s]; of bodies in space a vector, of pendulums a number
     target_spin: Any = _Spin()
     sliding: list[Sliding] | None = None  # of bodies in space that rub
     ball_velocities: list[float] | None = None  # of each of a row of balls at the end [m/s]
     models: dict[str, dict[str, Any]] | None = None  # what each model of restitution gives for them
-    joints: list[list[ContactPeriod]] = field(
-        default_factory=list
-    )  # contact periods at joints; of bonded ones with tension
+    # contact periods at joints; of bonded ones with tension
+    joints: list[list[ContactPeriod]] = field(default_factory=list)
 
     @property
     def links(self) -> dict[str, dict[str, Any]] | None:

@@ -18,16 +18,13 @@ def summary(
     if scene.prescribed_force:
         return _summary_of_a_push(scene, motion, duration, wall_time)
     end = np.array([duration])
-    impulse = float(motion.impulse(end)[0])
-    target_final = _swing(scene.target, impulse) if scene.target.swings else 0.0
-    if not scene.target.held:
-        target_final = float(motion.rigid_velocity(end)[0])
     together = touching(contacts, duration)
     since = 0.0 if together else duration - contacts[-1].end
     energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
     fall = scene.weight_acceleration if "weight" in energies else 0.0  # some methods leave it out
     gained = fall * since  # of what flies under its weight after the last parting: figures are those of that
-    final = float(motion.impactor_velocity(end)[0]) - gained
+    known = velocities(scene, motion, contacts, duration)
+    final, target_final, impulse = (known[name] for name in ("impactor_velocity", "target_velocity", "impulse"))
     if gained:
         moved = scene.impactor.mass * gained * (0.5 * gained + final)  # kinetic energy that the flight has changed
         energies |= {"impactor": energies["impactor"] - moved, "weight": energies["weight"] + moved}
@@ -41,6 +38,22 @@ def summary(
         wall_time,
         scene.impactor.mass * fall * (duration - since) if fall else 0.0,
     )
+
+
+def velocities(scene: Scene, motion: Motion, contacts: list[ContactPeriod], duration: float) -> dict[str, Any]:
+    """Of `summary`, what takes two looks at the motion: velocities and impulse."""
+    end = np.array([duration])
+    impulse = float(motion.impulse(end)[0])
+    if scene.prescribed_force:
+        moved = 0.0 if scene.target.held else float(motion.rigid_velocity(end)[0])
+        return {"impulse": impulse, "impactor_velocity": None, "target_velocity": moved}
+    target = _swing(scene.target, impulse) if scene.target.swings else 0.0
+    if not scene.target.held:
+        target = float(motion.rigid_velocity(end)[0])
+    final, fall = float(motion.impactor_velocity(end)[0]), scene.weight_acceleration
+    if fall and not touching(contacts, duration) and "weight" in motion.energies(end):
+        final -= fall * (duration - contacts[-1].end)
+    return {"impulse": impulse, "impactor_velocity": final, "target_velocity": target}
 
 
 def touching(contacts: list[ContactPeriod], duration: float) -> bool:
@@ -90,16 +103,13 @@ def _swing(beam: AnyBody, impulse: float) -> float:
 
 def _summary_of_a_push(scene: Scene, motion: Motion, duration: float, wall_time: float) -> dict[str, Any]:
     """The same for a prescribed force: nothing strikes, nothing is restored; the first energy is the work it does."""
-    end = np.array([duration])
-    impulse, held = float(motion.impulse(end)[0]), scene.target.held
-    final = 0.0 if held else float(motion.rigid_velocity(end)[0])
+    known, end = velocities(scene, motion, [], duration), np.array([duration])
+    impulse, final, held = known["impulse"], known["target_velocity"], scene.target.held
     energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
     assert isinstance(motion, Pushes)
     initial = scene.initial_energy + motion.work(duration)
     return {
-        "impulse": impulse,
-        "impactor_velocity": None,
-        "target_velocity": final,
+        **known,
         "restitution": {"newton": None, "poisson": None, "newton_at_contact": None},
         "energy": {"initial": initial} | energies,
         "diagnostics": {

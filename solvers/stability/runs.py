@@ -11,7 +11,7 @@ from ..contact import HuntCrossley, KelvinVoigt, LeeWang, Linear
 from ..contact.duration import steepest_stiffness
 from ..contact.protocol import OfPower
 from ..methods import Modal
-from ..methods.modal.method import default_step
+from ..methods.modal.march import default_step
 from ..methods.modal.pair import Pair
 from ..numerics.modal_contacts import LEAST_OPENING
 from ..numerics.oscillators import Residual, oscillator_bank

@@ -12,7 +12,7 @@ import numpy as np
 from .. import validation
 from ..methods import METHODS, FeModal, FeNodal, Modal
 from ..methods.base import Method, SceneNotSupported
-from ..methods.modal.method import again
+from ..methods.modal.march import again
 from ..methods.modal.motion import ModalMotion
 from ..numerics.processors import all_processors
 from ..scene import Scene

@@ -2,33 +2,32 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Any
+from functools import partial
+from typing import Any, Self
 
 import numpy as np
 
 from ... import validation
 from ...bodies import AnyBody, Beam, Bending, Pivoted, Rod
-from ...numerics.modal_steps import LEAST_STEPS, STEPS_PER_CONTACT, usual_step
+from ...numerics.modal_steps import LEAST_STEPS, STEPS_PER_CONTACT
 from ...numerics.modes import Modes
-from ...numerics.oscillators import Record, Residual, march, residual_spring
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.solution import Later, Solution, later
-from ...solution.summary import summary
+from ...solution.summary import summary, velocities
 from ...text.notes import Note, Severity
-from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..base import Method
 from ..estimates import with_error
 from ..options import option, whole, word
-from ..parting import MAY_TOUCH_AGAIN, End, may_gain, moves_alike, patience, swinging
+from ..parting import MAY_TOUCH_AGAIN, End, may_gain
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
-from ..weight import FLIES, GOES_ON, LOOKS
 from . import weight
 from .estimate import MIN_STEPS_PER_CONTACT, MOST_MODES, STEPS_OF_FIRST_CONTACT, error_of_modes, steps_of_a_contact
 from .frames import frame_figures, pivot_figures
-from .motion import ModalMotion, last_touch
+from .march import MAX_STEPS, again, default_step, follow
+from .motion import ModalMotion
 from .pair import Pair
 
-MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
 FRAMES = ("mean-axis", "attached", "attached-far")
 MAX_SURE_CONTACTS = 6  # with a beam; of more, its conditioning is tested
 MASS_CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tested: two, as one may be lucky
@@ -36,8 +35,6 @@ MASS_CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tested
 MAX_AMPLIFICATION = 10.0
 CHATTER_PERIODS = 3.0  # shortest kept periods; chatter under a law seldom breaks off for longer
 LISTED_MODES = 8  # of the target, whose frequencies the diagnostics have [Hz]
-REPEATED_STRIDE = 1_000  # steps between checkpoints of impacts that are repeated for their figures, not their fields
-CHECKPOINT_NUMBERS = 100_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
 
 @dataclass(frozen=True)
@@ -68,6 +65,7 @@ class Modal(Method):
     residual: bool = option(True, validation.flag)  # whether the modes left out give way
     estimate: bool = field(default=True, repr=False)  # the error, which costs as much again
     coarser: float = field(default=1.0, repr=False)  # times the usual step, where no steps are asked for
+    flights: bool = field(default=False, repr=False)  # taken at once, of which nothing is known then
 
     NAME = "modal"
     BEAMS = DAMPED = WEIGHT = RIPPLES = True
@@ -110,7 +108,8 @@ class Modal(Method):
 
     def _later_figures(self, scene: Scene, motion: ModalMotion, contacts: list, wall_time: float) -> dict[str, Any]:
         """Figures worked out when they are read; the error, which takes other solves, with the diagnostics alone."""
-        found = later(lambda: self._figures(scene, motion, contacts, wall_time))
+        cheap = partial(velocities, scene, motion, contacts, motion.duration)
+        found = later(partial(self._figures, scene, motion, contacts, wall_time), cheap)
         return with_error(found, lambda: self._error(scene, motion))
 
     def _error(self, scene: Scene, motion: ModalMotion) -> float | None:
@@ -244,6 +243,9 @@ class Modal(Method):
 
         return error_of_modes(motion, self.modes, solved, begun)
 
+    def for_figures(self, fields: bool, estimate: bool) -> Self:
+        return replace(super().for_figures(fields, estimate), flights=not (fields or estimate))
+
     def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
         pair = self.pair(scene)
         count = self.steps
@@ -256,7 +258,8 @@ class Modal(Method):
         if duration is not None and count is None:
             count = min(max(LEAST_STEPS, math.ceil(duration / step)), MAX_STEPS)
             step = duration / count
-        return _follow(scene, pair, step, count)
+        flights = self.flights and self.frame == FRAMES[0] and not (scene.rigid_contact or scene.impactor.turns)
+        return follow(scene, pair, step, count, flights)
 
 
 def _remedy_of_chatter(motion: ModalMotion) -> tuple[str, int]:
@@ -271,129 +274,3 @@ def _parting_speed(motion: ModalMotion, parting: float) -> float:
     """Of the touching faces, relative to that of approach."""
     parted = np.array([parting])
     return float(motion.end_velocity(parted)[0] - motion.impactor_end_velocity(parted)[0]) / motion.scene.speed
-
-
-def _mobility(modes: Modes, truncated: bool) -> float:
-    """Rate that the struck face gains at once by a unit impulse [1/kg], as far as it moves with the whole body."""
-    return 1.0 / modes.rigid_mass + (0.0 if truncated else float(np.sum(modes.at_contact**2)))
-
-
-def default_step(scene: Scene, pair: Pair) -> float:
-    """Fine enough for the highest mode and for the shortest contact; never a longer run than is worth it."""
-    law, residual = pair.law(scene)
-    parts, bodies = (pair.impactor, pair.target), (scene.impactor, scene.target)
-    reduced = 1.0 / sum(_mobility(*each) for each in zip(parts, pair.truncated, strict=True))
-    trips = sum(body.time_unit for body in bodies if body.time_unit is not None)
-    give = sum(body.softness for body in bodies if not body.bends)
-    give += sum(
-        float(np.sum((modes.at_contact / modes.frequencies) ** 2))
-        for modes, body in zip(parts, bodies, strict=True)
-        if body.bends
-    )
-    highest, bends = float(pair.frequencies.max(initial=0.0)), any(body.bends for body in bodies)
-    masses = reduced, scene.speed, scene.time_unit, trips, scene.reduced_mass
-    return usual_step(law, residual, *masses, give, highest, bends)
-
-
-def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMotion:
-    """March `count` steps, or whole periods until the bodies have parted for good: see `methods.parting`."""
-    law, spring = _contact(scene, pair, step)
-    slowest = [2.0 * math.pi / modes.frequencies[0] for modes in (pair.impactor, pair.target) if modes.frequencies.size]
-    period, size = max(slowest, default=scene.time_unit), pair.frequencies.size
-    bank, fall, surge = pair.bank(step), scene.fall, -scene.target.jerk
-    stride = max(1, (count or 3 * math.ceil(period / step)) * size // CHECKPOINT_NUMBERS)
-    most = count or int(min(MAX_STEPS, math.ceil(MAX_ROUND_TRIPS * scene.time_unit / step)))
-    weighs = count is None and scene.weight_acceleration != 0.0
-    chunk = count or min(most, math.ceil(period / step / (weight.PARTS if weighs else 1)))
-    record = _record(chunk, stride, size)
-    record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
-    displacement, velocity = np.zeros(size), np.zeros(size)
-    done, touched, how, resting = 0, 0, End.FOLLOWED, GOES_ON
-    alike, longest = moves_alike(scene) or not swinging(scene), patience(scene)
-    while done < most:
-        until = min(done + (max(chunk, done // LOOKS) if weighs else chunk), most)
-        if until > record.contact_force.size:
-            record = _grown(record, min(2 * until, most), stride)
-        march(
-            law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, fall, surge, step, bank,
-            displacement, velocity, stride, done, until, record,
-        )  # fmt: skip
-        apart = not record.contact_force[done:until].any()
-        begun, done = done, until
-        if weighs:
-            span = begun, done, stride
-            resting, done = weight.state(scene, law, spring, bank, record, span, displacement, velocity, step)
-            if resting == GOES_ON:
-                continue
-            if resting == FLIES:
-                how = End.PARTED
-                last = last_touch(scene, law, record, step, done)
-                glow = math.ceil(AFTERGLOW * scene.time_unit / step)
-                done = min(done, last + min(glow, weight.most_after(scene, record, last, step)))
-            break
-        if not apart:
-            touched = done
-        elif count is None and record.rigid_velocity[done] > record.velocity[done]:
-            seen = last_touch(scene, law, record, step, done) + math.ceil(AFTERGLOW * scene.time_unit / step)
-            if seen > done:
-                continue
-            swings = np.hypot(displacement, velocity).sum() + spring.compliance * abs(record.spring_force[done])
-            if alike or record.rigid_position[done] - record.position[done] > swings:
-                how = End.PARTED
-            elif (done - touched) * step >= longest:
-                how = End.MAY_TOUCH
-            else:
-                continue
-            done = seen
-            break
-    return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), how, resting)
-
-
-def _contact(scene: Scene, pair: Pair, step: float) -> tuple[Any, Residual]:
-    law, residual = pair.law(scene)
-    return law, residual_spring(residual, step, pair.resolved_time, law.JUMPS, law.PLASTIC)
-
-
-def again(motion: ModalMotion, scene: Scene, record: Record | None = None) -> tuple[ModalMotion, Record]:
-    """Another impact of a rigid impactor on the same target over the same steps, and the record it was written into.
-
-    For many impacts in a row that differ by the impactor or the contact law alone: nothing is worked out twice, and a
-    record that is handed back is written over, with the motion that belonged to it.
-    """
-    pair = replace(motion.pair, impactor=scene.impactor.modes(0))
-    step, stride = motion.duration / motion.steps, min(motion.steps, REPEATED_STRIDE)
-    law, spring = _contact(scene, pair, step)
-    if record is None:
-        record = _record(motion.steps, stride, pair.frequencies.size)
-    for history in record[:8]:
-        history[0] = 0.0
-    record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
-    displacement, velocity = np.zeros((2, pair.frequencies.size))
-    march(
-        law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, scene.fall,
-        -scene.target.jerk, step, pair.bank(step), displacement, velocity, stride, 0, motion.steps, record,
-    )  # fmt: skip
-    return ModalMotion(scene, pair, step, stride, record, End.FOLLOWED), record
-
-
-def _record(steps: int, stride: int, modes: int) -> Record:
-    """At rest; only what is written is ever memory that costs time."""
-    instants = [np.empty(steps + 1) for _ in range(7)]
-    record = Record(np.empty(steps), *instants, *(np.empty((steps // stride + 1, modes)) for _ in range(2)))
-    for history in record:
-        history[0] = 0.0
-    return record
-
-
-def _grown(record: Record, steps: int, stride: int) -> Record:
-    larger = _record(steps, stride, record.checkpoint_displacement.shape[1])
-    for old, new in zip(record, larger, strict=True):
-        new[: old.shape[0]] = old
-    return larger
-
-
-def _cut(record: Record, steps: int, stride: int) -> Record:
-    force, *instants = record[:8]
-    return Record(
-        force[:steps], *(values[: steps + 1] for values in instants), *(c[: steps // stride + 1] for c in record[8:])
-    )

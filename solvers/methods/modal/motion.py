@@ -354,7 +354,7 @@ def last_touch(scene: Scene, law: Any, record: Record, step: float, done: int) -
 
     Raises SceneError if the target moves away before there is any.
     """
-    touching = np.flatnonzero(record.contact_force[:done])
-    if not touching.size:
+    pressed = modal_contacts.pressed(record.contact_force, done)
+    if not pressed:
         raise SceneError("impactor.velocity", scene.impactor.velocity, allowed("touch-before-away"))
-    return modal_contacts.closed(int(touching[-1]) + 1, done, record, step, *asked(law))
+    return modal_contacts.closed(pressed, done, record, step, *asked(law))

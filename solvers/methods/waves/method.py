@@ -11,7 +11,7 @@ from ...contact import Rigid
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.solution import ContactPeriod, Solution, later
-from ...solution.summary import balanced, summary, touching
+from ...solution.summary import balanced, summary, touching, velocities
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..grazing import one_front
@@ -162,7 +162,7 @@ class Waves(Method):
             residual_indentation=history.dent(),
             joints=joints,
             notes=history.notes(),
-            **later(figures),
+            **later(figures, lambda: velocities(scene, motion, history.contacts, trip * shown)),
         )
 
 

@@ -13,7 +13,7 @@ from ...solution.solution import Solution
 from ...solve import chosen_method
 from ...text.notes import Severity
 from ...validation import SceneError, allowed
-from ..figures import figures_of
+from ..figures import LOOKED_FOR, figures_of
 from ..sweep import quick_columns, solve_many
 
 FAILED, CRASHED = "failed", "crashed"  # beside the codes of refusals
@@ -118,8 +118,10 @@ class Work:
 
     def _solve(self, row: tuple[Any, ...]) -> Solution:
         scene, method, duration = self.read(row)
-        if not self.notes and "estimated_error" not in self.figures:
-            method = method.without_estimate()
+        if not self.notes:
+            method = method.for_figures(
+                not LOOKED_FOR.keys().isdisjoint(self.figures), "estimated_error" in self.figures
+            )
         return method.solve_in_full(scene, duration)
 
 

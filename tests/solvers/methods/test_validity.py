@@ -13,7 +13,7 @@ from solvers import Modal, Scene, Solution
 from solvers.contact import PlasticPower
 from solvers.methods.balance import method as balance
 from solvers.methods.finite_elements import follow as element_march
-from solvers.methods.modal import method as modal
+from solvers.methods.modal import march as modal_march
 from solvers.methods.validity import TWICE
 from solvers.methods.waves.histories import RigidHistory
 from solvers.studies.sweep import sweep
@@ -208,7 +208,7 @@ def test_notes_are_printed(capsys):
 def test_a_method_that_stops_at_a_limit_of_its_own_says_which(monkeypatch):
     """Of steps, balances and pieces of a wave."""
     lasting = struck_rod(1.0, "free", {"law": "linear", "stiffness": 0.1})
-    monkeypatch.setattr(modal, "MAX_STEPS", 500)
+    monkeypatch.setattr(modal_march, "MAX_STEPS", 500)
     assert any(
         "limit of 500 steps" in str(note) for note in solvers.solve(lasting, Modal(modes=4, estimate=False)).notes
     )
