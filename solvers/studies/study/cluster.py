@@ -28,6 +28,7 @@ from .work import Part, Work
 REACH = 4.0  # s for the machine of the scheduler to answer
 GREET = 5.0  # s for the scheduler to do so
 COUNT = 1.0  # s between counts of workers
+PATIENCE = "365d"  # for processes of `local:N` that have ended to be there again
 LEAVE = 60.0  # s, at most, for parts that were cancelled to end
 LOOK = 0.05  # s between looks at whether they have
 LOCAL = re.compile(r"local:(\d{1,4})")
@@ -168,6 +169,8 @@ def _local(said: str, stack: ExitStack) -> Any:
     count = int(said.partition(":")[2])
     if not 1 <= count <= MOST:
         raise SceneError("cluster", said, allowed("cluster", most=MOST))
+    # Those that have ended begin again, however long that takes: after 15 s each is given up for good otherwise.
+    stack.enter_context(configured({"distributed.deploy.lost-worker-timeout": PATIENCE}))
     # A process that ends has been ended by its point, as it has in `Processes`; pages are for those who ask for them.
     with configured({"distributed.scheduler.allowed-failures": 0, "distributed.scheduler.http.routes": []}):
         cluster = LocalCluster(

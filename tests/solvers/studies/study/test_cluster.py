@@ -8,18 +8,20 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import closing
 from pathlib import Path
 
+import dask
 import numpy as np
 import pytest
 from distributed import Client, LocalCluster
 
-from solvers import SceneError, study
+from solvers import SceneError, load, study
 from solvers.methods.quasi_static.method import QuasiStatic
 from solvers.studies.study import cluster as cluster_room
 from solvers.studies.study.cluster import cluster_of
 from solvers.studies.study.parts import Parts
-from solvers.studies.study.work import CRASHED
+from solvers.studies.study.work import CRASHED, Work
 
 from ....patience import SECONDS
 from .test_study import VARY, runs, same
@@ -111,6 +113,17 @@ def test_a_point_that_ends_its_process_is_found_and_left(tmp_path, monkeypatch):
     bad = [k for k, code in enumerate(found.refused.values.tolist(), 1) if code]
     assert bad == [2, 17] and set(found.refused.values[[1, 16]].tolist()) == {CRASHED}
     assert np.nansum(found.peak_force.values) == sum(range(1, 31)) - 19
+
+
+def test_processes_that_are_slow_to_begin_again_are_waited_for(tmp_path, monkeypatch):
+    deadly = tmp_path / "deadly.py"
+    deadly.write_text(f"import time\ntime.sleep(2.0)\n{DEADLY}")
+    monkeypatch.setattr(cluster_room, "PRELOAD", [*cluster_room.PRELOAD, str(deadly)])
+    work = Work(load("fixed-rod"), ("impactor.velocity",), ("peak_force",), None, True)
+    given_up = {"distributed.deploy.lost-worker-timeout": "100ms"}  # by Dask, 15 s as it comes
+    with dask.config.set(given_up), closing(cluster_of("local:1")) as crew:
+        assert crew.alone(work, [(2.0,)]) is None
+        assert crew.submit(work, [(3.0,)]).result(SECONDS).figures.tolist() == [[3.0]]
 
 
 def test_workers_come_and_go_and_none_of_another_version(tmp_path, monkeypatch):
