@@ -93,9 +93,9 @@ class Scene:
             if normal is None:
                 _check_approach(impactor, target)
             _check_masses(impactor, target)
-        for name, what in (("method", allowed("method-table")), ("view", allowed("a-table"))):
+        for name, what in (("method", "method-table"), ("view", "a-table")):
             if not isinstance(given.get(name, {}), Mapping):
-                raise SceneError(name, given[name], what)
+                raise SceneError(name, given[name], allowed(what))
         return cls(
             impactor,
             target,

@@ -159,7 +159,8 @@ def required(key: str, given: Mapping[str, Any], name: str, what: Note) -> objec
 
 def required_number(key: str, given: Mapping[str, Any], name: str, low: float, high: float, unit: str = "") -> float:
     """A finite number in [low, high] that must be there."""
-    return number(f"{key}.{name}", required(key, given, name, a_number(low, high, unit)), low, high, unit)
+    value = given[name] if name in given else required(key, given, name, a_number(low, high, unit))
+    return number(f"{key}.{name}", value, low, high, unit)
 
 
 def plain(value: Any, levels: int = DEEPEST) -> Any:

@@ -130,8 +130,8 @@ class Solution:
     diagnostics: dict[str, Any] = _Figure()
     notes: list[Note] = _Figure()
     peak_force: float | Any  # [N]; None: an impact of no duration
-    peak_indentation: float | None  # [m]
-    residual_indentation: float | None  # left in the surfaces [m]
+    peak_indentation: float | None = _Figure()  # [m]
+    residual_indentation: float | None = _Figure()  # left in the surfaces [m]
     effective_mass: float | None = None  # of the contact [kg], where the impact is one impulse
     impactor_spin: Any = _Spin()  # [rad/s]; of bodies in space a vector, of pendulums a number
     target_spin: Any = _Spin()
@@ -300,7 +300,7 @@ class Solution:
         return other
 
     def __reduce__(self) -> tuple[Any, ...]:
-        for name in (*SUMMARY, "notes"):
+        for name in (*SUMMARY, "notes", "peak_indentation", "residual_indentation"):
             getattr(self, name)  # what comes later comes now
         return _solution_of, (closures.written(self.__dict__),)
 

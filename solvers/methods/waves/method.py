@@ -10,7 +10,7 @@ from ...bodies import Waveguide
 from ...contact import Rigid
 from ...provenance import clock
 from ...scene import Scene
-from ...solution.solution import ContactPeriod, Solution, later
+from ...solution.solution import ContactPeriod, Later, Solution, later
 from ...solution.summary import balanced, summary, touching, velocities
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
@@ -158,8 +158,8 @@ class Waves(Method):
             duration=trip * shown,
             motion=motion,
             peak_force=max(contact.peak_force for contact in history.contacts),
-            peak_indentation=history.deepest(),
-            residual_indentation=history.dent(),
+            peak_indentation=Later(lambda _: history.deepest()),  # pyright: ignore[reportArgumentType]
+            residual_indentation=Later(lambda _: history.dent()),  # pyright: ignore[reportArgumentType]
             joints=joints,
             notes=history.notes(),
             **later(figures, lambda: velocities(scene, motion, history.contacts, trip * shown)),
