@@ -89,7 +89,7 @@ class Sweep(list[dict[str, Any]]):
         """As `Figures.dataset`: an xarray.Dataset over the key. Raises what `figures` does."""
         return self.figures().dataset()
 
-    def plot(self, what: str = "impactor_velocity") -> Any:
+    def plot(self, what: str | None = None) -> Any:
         """As `Figures.plot`: one figure over the key. Raises what `figures` does."""
         return self.figures().plot(what)
 
