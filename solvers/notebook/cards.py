@@ -9,7 +9,7 @@ from html import escape
 from typing import Any
 
 from ..text.catalogue import library, spoken
-from . import contour_tables, tables, uncertain_tables
+from . import contour_tables, study_tables, tables, uncertain_tables
 from .words import existing, family, listed, named, shown, text, vector
 
 Rows = Iterable[tuple[str, str]]
@@ -222,6 +222,18 @@ def sweep_card(found: Any) -> str:
     heads = ("contacts", "seconds", "newton-seconds", "newtons", "metres-per-second", "restitution", "own-error")
     asked = (f"{name} [{unit}]" if unit else name for name, unit in found.asked.items())
     return _card("sweep", "", _table([found.key, *_named(heads), *asked], rows), [])
+
+
+def figures_card(found: Any) -> str:
+    """How far each figure of many scenes reaches, and where."""
+    rows = [
+        (_figure(figure, each["unit"]) if n == 0 else "", *cells)
+        for figure, each in study_tables.figures_reach(found).items()
+        for n, cells in enumerate(study_tables.reach_cells(each))
+    ]
+    name = family("card.name")
+    table = _table([name["figure"], f"{name['lowest']}, {name['highest']}", ""], rows)
+    return _card("figures", study_tables.figures_head(found), table, [])
 
 
 def sought_card(found: Any) -> str:

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from ..provenance import version
-from .figures import PARTS, Figure, fields_of, histories_of, origin, reach
+from .figures import BANDS, PARTS, Figure, fields_of, histories_of, origin, reach
 
 try:
     import pandas
@@ -80,17 +80,57 @@ def _attributes(solution: Any) -> dict[str, str]:
 def figures(found: Any, units: Any) -> Dataset:
     """See `Figures.dataset`; `units` by figure."""
     about = {name: {"units": units[name], "long_name": name.replace("_", " ")} for name in found.columns}
-    version_of = {"version": f"Strikewave {version()}"}
     filled = found.grid()
     if filled is not None:
         axes, arrays = filled
         places = {key: (key, values, {"units": found.units.get(key, "")}) for key, values in axes.items()}
         columns = {name: (tuple(axes), values, about[name]) for name, values in arrays.items()}
-        return Dataset(columns, places, version_of)
+        return Dataset(columns, places, {"version": f"Strikewave {version()}"})
     scene = {"scene": ("scene", np.arange(len(found)), {"long_name": "number of the scene"})}
     varied = {key: ("scene", values, {"units": found.units.get(key, "")}) for key, values in found.varied.items()}
     columns = {name: ("scene", values, about[name]) for name, values in found.columns.items()}
-    return Dataset(columns, scene | varied, version_of)
+    return Dataset(columns, scene | varied, {"version": f"Strikewave {version()}"})
+
+
+def ensemble(found: Any, units: Any) -> Dataset:
+    """See `Ensemble.dataset`; `units` by figure, each with what it is measured by."""
+    columns: dict[str, Any] = {
+        name: ("change", getattr(found, name), {"units": unit, "long_name": name.replace("_", " ")})
+        for name, (unit, _) in units.items()
+    }
+    edges = list(vars(found.force))
+    for name, figure in BANDS.items():
+        about = {"units": figure.unit, "long_name": figure.long_name}
+        band = np.stack([getattr(getattr(found, name), edge) for edge in edges])
+        columns[name] = (("band", "time"), band, about)
+    places = {
+        "change": ("change", found.perturbations, {"units": "", "long_name": f"relative change of {found.key}"}),
+        "band": ("band", edges, {"long_name": "low, high: a twentieth of the runs is below, above"}),
+        "time": ("time", found.time, {"units": "s", "long_name": "time since first touch"}),
+    }
+    about = {"key": found.key, "method": json.dumps(found.method), "summary": str(found.summary)}
+    notes = {"notes": "\n".join(map(str, found.notes))}
+    return Dataset(columns, places, _about(found.title) | about | notes)
+
+
+def convergence(found: Any) -> Dataset:
+    """See `Convergence.dataset`."""
+    columns = {}
+    for name, values in found.values.items():
+        called, order = name.replace("_", " "), found.order[name]
+        about = {"units": found.units[name], "long_name": called, "summary": str(found.summary[name])}
+        about |= {} if order is None else {"order": order}
+        columns[name] = (found.kind, values, about)
+        apart = {"units": "", "long_name": f"{called}, difference to the last"}
+        columns[f"{name}_difference"] = (found.kind, found.differences[name], apart)
+    places = {found.kind: (found.kind, found.counts, {"units": "s" if found.kind == "step" else ""})}
+    beside = {"reference": found.reference, "reference_values": json.dumps(found.reference_values)}
+    about = _about(found.title) | {"method": found.method} | (beside if found.reference else {})
+    return Dataset(columns, places, about)
+
+
+def _about(title: str) -> dict[str, str]:
+    return {"title": title, "version": f"Strikewave {version()}"}
 
 
 def study(design: Any, parts: Iterable[tuple[Any, Any]], figures: Any, units: Any, about: Any) -> Dataset:

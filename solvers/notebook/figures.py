@@ -48,6 +48,13 @@ BENDING = {
 }
 
 
+BANDS = {  # of an ensemble
+    "force": Figure("N", "contact force", HISTORIES["contact_force"].of),
+    "struck_position": HISTORIES["end_position"],
+    "impactor_velocity": STRIKING["impactor_velocity"],
+}
+
+
 def histories_of(scene: Any) -> dict[str, Figure]:
     """Of this scene over time: a prescribed force has no impactor that moves."""
     return HISTORIES if scene.prescribed_force else HISTORIES | STRIKING

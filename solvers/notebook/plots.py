@@ -13,7 +13,7 @@ import holoviews as hv
 import numpy as np
 
 from ..validation import SceneError, allowed, choice
-from .figures import FIELDS, HISTORIES, STRIKING, Figure, histories_of, origin, reach
+from .figures import BANDS, FIELDS, HISTORIES, STRIKING, Figure, histories_of, origin, reach
 
 INSTANTS, PLACES = 801, 401
 LONGEST_HISTORY = 20_000  # instants; a longer one is drawn at INSTANTS
@@ -156,12 +156,13 @@ def figures(found: Any, what: str, units: Any) -> Any:
     if len(keys) == 2:
         return titled(_over_two(found, what, keys, value), "", what)
     key, across = (keys[0], found.varied[keys[0].name]) if len(keys) == 1 else ("scene", np.arange(len(found)))
-    return titled(hv.Scatter((across, found.columns[what]), key, value), "", what)
+    points = hv.Scatter((across, found.columns[what]), key, value).opts(logx=_wide(across))
+    return titled(points, "", what)
 
 
 def _over_two(found: Any, what: str, keys: list[Any], value: Any) -> Any:
     """A map where two keys form a grid, else coloured points; by powers of ten where values span a hundredfold."""
-    logs = [bool(values.min() > 0.0 and values.max() >= 99.9 * values.min()) for values in found.varied.values()]
+    logs = [_wide(values) for values in found.varied.values()]
     options = {"logx": logs[0], "logy": logs[1], "colorbar": True, "cmap": "viridis"}
     filled = found.grid()
     if filled is None or min(axis.size for axis in filled[0].values()) < 2:
@@ -172,11 +173,9 @@ def _over_two(found: Any, what: str, keys: list[Any], value: Any) -> Any:
     return hv.QuadMesh((*edges, arrays[what].T), keys, value).opts(**options)
 
 
-BANDS = {
-    "force": Figure("N", "contact force", HISTORIES["contact_force"].of),
-    "struck_position": HISTORIES["end_position"],
-    "impactor_velocity": STRIKING["impactor_velocity"],
-}
+def _wide(values: np.ndarray) -> bool:
+    """Whether they span a hundredfold, above zero."""
+    return bool(values.min() > 0.0 and values.max() >= 99.9 * values.min())
 
 
 def convergence(found: Any, what: str) -> Any:

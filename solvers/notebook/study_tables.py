@@ -1,12 +1,12 @@
 """A study in a few lines: how far its figures reach and where, what was refused, and what is to be known."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
 
-from .words import shown, text
+from .words import listed, shown, text
 
 WORDS = ("refused", "reason", "notes")
 NOT_SOLVED = "not-solved"
@@ -30,7 +30,10 @@ def summary(found: Any) -> dict[str, Any]:
         "solved": solved,
         "refused": refused.size - solved - waiting,
         "waiting": waiting,
-        "figures": dict(_reaches(found)),
+        "figures": reaches(
+            ((str(name), each.attrs.get("units", ""), each.values.ravel()) for name, each in found.data_vars.items()),
+            lambda where: _at(found, where),
+        ),
         "refusals": [
             {"code": code, "points": count, "at": _at(found, where), "reason": str(reasons[where])}
             for code, (where, count) in sorted(by_code.items(), key=lambda each: -each[1][1])
@@ -42,14 +45,16 @@ def summary(found: Any) -> dict[str, Any]:
     }
 
 
-def _reaches(found: Any) -> Iterator[tuple[str, dict[str, Any]]]:
-    for name, array in found.data_vars.items():
-        values = array.values.ravel()
-        if name in WORDS or np.isnan(values).all():
-            continue
-        ends = {"lowest": int(np.nanargmin(values)), "highest": int(np.nanargmax(values))}
-        reach = {end: {"value": float(values[where]), "at": _at(found, where)} for end, where in ends.items()}
-        yield str(name), {"unit": array.attrs.get("units", "")} | reach
+def reaches(columns: Iterable[tuple[str, str, np.ndarray]], at: Callable[[int], Mapping[str, Any]]) -> dict[str, Any]:
+    """Of columns as name, unit and values, without those that have none: the lowest and the highest value, and `at`
+    what they are."""
+    found: dict[str, Any] = {}
+    for name, unit, values in columns:
+        if name not in WORDS and not np.isnan(values).all():
+            ends = {"lowest": int(np.nanargmin(values)), "highest": int(np.nanargmax(values))}
+            reach = {end: {"value": float(values[where]), "at": at(where)} for end, where in ends.items()}
+            found[name] = {"unit": unit} | reach
+    return found
 
 
 def _at(found: Any, point: int) -> dict[str, Any]:
@@ -82,17 +87,7 @@ def lines(found: Any, known: dict[str, Any]) -> str:
     sizes = " x ".join(f"{name} {size}" for name, size in found.sizes.items())
     counts = {name: known[name] for name in ("points", "solved", "refused", "waiting")}
     said = [text("study.points", sizes=sizes, **counts)]
-    names = {name: f"{name} [{each['unit']}]" if each["unit"] else name for name, each in known["figures"].items()}
-    wide = max([0, *map(len, names.values())])
-    said += [""] if names else []
-    for name, each in known["figures"].items():
-        low, high = each["lowest"], each["highest"]
-        if low["value"] == high["value"]:
-            said.append(f"  {names[name]:{wide}}  {shown(low['value'], '.6g'):>12}  " + text("study.everywhere"))
-            continue
-        for head, end in ((names[name], low), ("", high)):
-            value = shown(end["value"], ".6g")
-            said.append(f"  {head:{wide}}  {value:>12}  " + text("study.at", at=_said(end["at"])))
+    said += _reach_lines(known["figures"])
     said += [""] if known["refusals"] or known["notes"] else []
     for each in known["refusals"]:
         said.append("  " + text("study.refused", points=each["points"], at=_said(each["at"]), reason=each["reason"]))
@@ -101,7 +96,43 @@ def lines(found: Any, known: dict[str, Any]) -> str:
     return "\n".join(said)
 
 
-def _said(at: dict[str, Any]) -> str:
+def figures(found: Any) -> str:
+    """Of `Figures`, or other columns: how far each figure reaches."""
+    return "\n".join([figures_head(found), *_reach_lines(figures_reach(found))])
+
+
+def figures_head(found: Any) -> str:
+    """How many scenes there are, and what they differ by."""
+    return text("study.scenes", scenes=len(found), keys=listed(found.varied) if found.varied else "none")
+
+
+def figures_reach(found: Any) -> dict[str, Any]:
+    """As `reaches`; `at` the values that scenes differ by, or else the number of the scene."""
+    columns = ((name, found.kinds[name], values) for name, values in found.columns.items())
+    varied = found.varied or {"scene": np.arange(len(found))}
+    return reaches(columns, lambda row: {key: values[row].item() for key, values in varied.items()})
+
+
+def reach_cells(each: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Lowest and highest value of a figure, and where they are; once for what is the same throughout."""
+    low, high = each["lowest"], each["highest"]
+    if low["value"] == high["value"]:
+        return [(shown(low["value"], ".6g"), text("study.everywhere"))]
+    return [(shown(end["value"], ".6g"), text("study.at", at=_said(end["at"]))) for end in (low, high)]
+
+
+def _reach_lines(known: Mapping[str, Any]) -> list[str]:
+    names = {name: f"{name} [{each['unit']}]" if each["unit"] else name for name, each in known.items()}
+    wide = max([0, *map(len, names.values())])
+    head = [""] if names else []
+    return head + [
+        f"  {'' if n else names[name]:{wide}}  {value:>12}  {at}"
+        for name, each in known.items()
+        for n, (value, at) in enumerate(reach_cells(each))
+    ]
+
+
+def _said(at: Mapping[str, Any]) -> str:
     return ", ".join(
         f"{key}={value:.6g}" if isinstance(value, float) else f"{key}={value}" for key, value in at.items()
     )

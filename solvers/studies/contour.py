@@ -15,8 +15,7 @@ from .figures import FIGURES
 from .noted import Noted, noted
 from .squares import Line, Squares
 from .study.study import crew_size
-from .sweep import spaced
-from .varied import unit_of
+from .varied import spaced, unit_of
 
 LEAST_SAMPLES, USUAL_SAMPLES, MOST_SAMPLES = 3, 25, 500  # for each key
 

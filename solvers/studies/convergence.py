@@ -58,6 +58,16 @@ class Convergence:
     reference_values: dict[str, float] | None = None
     title: str = ""  # of the scene
 
+    def dataset(self) -> Any:
+        """An xarray.Dataset with units: values over what is varied (`modes`, `elements`, `step` or `restitution`),
+        with what becomes of each and its order, if it has one; and as `NAME_difference` the differences to the last.
+
+        Raises ImportError without the extra `notebook`.
+        """
+        from ..notebook import datasets  # loads xarray, which nothing else here needs
+
+        return datasets.convergence(self)
+
     def plot(self, what: str = "differences") -> "Drawn":
         """A HoloViews object over the counts: all `differences` to the finest, or the values of one figure.
 

@@ -65,6 +65,16 @@ class Ensemble:
     wall_time: float
     title: str = ""  # of the scene
 
+    def dataset(self) -> Any:
+        """An xarray.Dataset with units: figures over `change`, and bands over `time`, in which `lowest`,
+        `low`, `median`, `high` and `highest` follow each other along `band`.
+
+        Raises ImportError without the extra `notebook`.
+        """
+        from ..notebook import datasets  # loads xarray, which nothing else here needs
+
+        return datasets.ensemble(self, FIGURES)
+
     def plot(self, what: str = "force") -> "Drawn":
         """A HoloViews object: bands of `force`, `struck_position` or `impactor_velocity` over time, in which all runs
         lie, and nine tenths of them; or a figure such as `final_velocity` over the changes.

@@ -65,7 +65,73 @@ class _Column:
         return figures.columns[self.name]
 
 
-class Figures:
+class Columns:
+    """Figures of many scenes as `columns` by their names, all arrays (scenes,), NaN where there is none.
+
+    `kinds`: their units; `varied`: the columns of values that the scenes differ by; `units`: of these values.
+    """
+
+    def __init__(
+        self,
+        columns: Mapping[str, np.ndarray],
+        kinds: Mapping[str, str],
+        varied: Mapping[str, np.ndarray],
+        units: Mapping[str, str],
+    ):
+        self.columns, self.kinds, self.varied, self.units = dict(columns), dict(kinds), dict(varied), dict(units)
+
+    def __len__(self) -> int:
+        return next(iter(self.columns.values())).size
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {len(self)} scenes: {', '.join([*self.varied, *self.columns])}>"
+
+    def grid(self) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]] | None:
+        """The different values of each key in rising order, and each figure as an array with a dimension for each key.
+
+        None where the scenes do not have each value of a key with each of the others', once.
+        """
+        axes, where = {}, np.zeros(len(self), int)
+        for key, values in self.varied.items():
+            axes[key], place = np.unique(values, return_inverse=True)
+            where = where * axes[key].size + place
+        sizes = [axis.size for axis in axes.values()]
+        if not axes or math.prod(sizes) != len(self) or np.unique(where).size != len(self):
+            return None
+        order = np.argsort(where)
+        return axes, {name: values[order].reshape(sizes) for name, values in self.columns.items()}
+
+    def dataset(self) -> Any:
+        """An xarray.Dataset with units. Where each key takes each of its values with each of the others', once, its
+        dimensions are the keys; else `scene`, a number, and what the scenes differ by are coordinates.
+
+        Raises ImportError without the extra `notebook`.
+        """
+        from ..notebook import datasets  # loads xarray, which nothing else here needs
+
+        return datasets.figures(self, self.kinds)
+
+    def plot(self, what: str | None = None) -> Any:
+        """A HoloViews object: one figure, `impactor_velocity` or else the first by default, over the key that the
+        scenes differ by; over two keys a map where they form a grid, coloured points where they do not; over the number
+        of the scene where there are more keys, or none. Raises SceneError for another word."""
+        from ..notebook import plots  # loads HoloViews, which nothing else here needs
+
+        usual = "impactor_velocity" if "impactor_velocity" in self.columns else next(iter(self.columns))
+        return plots.figures(self, what or usual, self.kinds)
+
+    def __str__(self) -> str:
+        from ..notebook import study_tables
+
+        return study_tables.figures(self)
+
+    def _repr_html_(self) -> str:
+        from ..notebook import cards
+
+        return cards.figures_card(self)
+
+
+class Figures(Columns):
     """What came of each of many scenes; all arrays (scenes,), NaN where a figure does not exist. See `Solution`.
 
     `columns`: those that there are, by name; one that was not asked for is refused with a SceneError when it is read.
@@ -106,49 +172,10 @@ class Figures:
         units: Mapping[str, str] | None = None,
     ):
         """Of these columns alone, None for what does not exist."""
-        self.varied, self.units = dict(varied or {}), dict(units or {})
-        self.columns = {
+        columns = {
             name: np.asarray(found[name], int if name == "contacts" else float) for name in FIGURES if name in found
         }
-
-    def __len__(self) -> int:
-        return next(iter(self.columns.values())).size
-
-    def __repr__(self) -> str:
-        return f"<Figures of {len(self)} scenes: {', '.join([*self.varied, *self.columns])}>"
-
-    def grid(self) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]] | None:
-        """The different values of each key in rising order, and each figure as an array with a dimension for each key.
-
-        None where the scenes do not have each value of a key with each of the others', once.
-        """
-        axes, where = {}, np.zeros(len(self), int)
-        for key, values in self.varied.items():
-            axes[key], place = np.unique(values, return_inverse=True)
-            where = where * axes[key].size + place
-        sizes = [axis.size for axis in axes.values()]
-        if not axes or math.prod(sizes) != len(self) or np.unique(where).size != len(self):
-            return None
-        order = np.argsort(where)
-        return axes, {name: values[order].reshape(sizes) for name, values in self.columns.items()}
-
-    def dataset(self) -> Any:
-        """An xarray.Dataset with units. Where each key takes each of its values with each of the others', once, its
-        dimensions are the keys; else `scene`, a number, and what the scenes differ by are coordinates.
-
-        Raises ImportError without the extra `notebook`.
-        """
-        from ..notebook import datasets  # loads xarray, which nothing else here needs
-
-        return datasets.figures(self, {name: unit for name, (unit, _) in FIGURES.items()})
-
-    def plot(self, what: str = "impactor_velocity") -> Any:
-        """A HoloViews object: one figure over the key that the scenes differ by; over two keys a map where they form a
-        grid, coloured points where they do not; over the number of the scene where there are more keys, or none.
-        Raises SceneError for another word."""
-        from ..notebook import plots  # loads HoloViews, which nothing else here needs
-
-        return plots.figures(self, what, {name: FIGURES[name][0] for name in self.columns})
+        super().__init__(columns, {name: FIGURES[name][0] for name in columns}, varied or {}, units or {})
 
 
 def asked_for(figures: Sequence[str] | None) -> tuple[str, ...]:

@@ -1,6 +1,7 @@
 """All impacts of a mass on a uniform rod, by their mass ratio alone."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -10,13 +11,14 @@ from ..numerics.arrays import copy_to
 from ..numerics.waves import rigid as rigid_waves
 from ..numerics.waves.contact_table import ContactTable
 from ..validation import SceneError, allowed
+from .figures import Columns
 
 RATIO_RANGE = (1e-6, 1e6)  # beyond it the lighter body does not feel the heavier one within doubles' reach
 MOST_CONTACTS = 16
 PIECES, TERMS = (400, 4_000), 40  # of a history, tried in turn; 1 600 are needed at a mass ratio of 1e-6
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class MassRatioSweep:
     """What becomes of every impact of a rigid mass on a uniform rod, by mass ratio alone; all arrays (ratios,).
 
@@ -31,6 +33,35 @@ class MassRatioSweep:
     peak_stress: np.ndarray
     restitution: np.ndarray  # by centre-of-mass velocities and by impulses: one number, as momentum is conserved
     restitution_at_contact: np.ndarray  # by the touching surfaces, as they part for the last time
+
+    def figures(self) -> Columns:
+        """The same as columns over `mass_ratio`, the periods as `start_1`, `end_1` and so on."""
+        names = ("contacts", "rebound_velocity", "peak_stress", "restitution", "restitution_at_contact")
+        columns = {name: getattr(self, name) for name in names}
+        units = {"rebound_velocity": "v", "peak_stress": "v sqrt(E rho)"}
+        for number in range(self.periods.shape[1]):
+            for place, edge in enumerate(("start", "end")):
+                columns[f"{edge}_{number + 1}"] = self.periods[:, number, place]
+                units[f"{edge}_{number + 1}"] = "T"
+        kinds = {name: units.get(name, "") for name in columns}
+        return Columns(columns, kinds, {"mass_ratio": self.mass_ratio}, {"mass_ratio": ""})
+
+    def dataset(self) -> Any:
+        """An xarray.Dataset over the mass ratio. Raises ImportError without the extra `notebook`."""
+        return self.figures().dataset().assign_attrs(support=self.support)
+
+    def plot(self, what: str = "rebound_velocity") -> Any:
+        """A HoloViews object: one column over the mass ratio. Raises SceneError for another word."""
+        return self.figures().plot(what)
+
+    def __str__(self) -> str:
+        return str(self.figures())
+
+    def __repr__(self) -> str:
+        return f"<MassRatioSweep of {self.mass_ratio.size} mass ratios, {self.support} rod>"
+
+    def _repr_html_(self) -> str:
+        return self.figures()._repr_html_()
 
 
 def mass_ratio_sweep(support: str = "fixed", ratios: np.ndarray | None = None) -> MassRatioSweep:

@@ -12,8 +12,7 @@ from ..validation import SceneError
 from .answers import Answers, middle_of, read_range, read_wanted
 from .crossings import Crossings
 from .figures import FIGURES
-from .sweep import spaced
-from .varied import unit_of
+from .varied import spaced, unit_of
 
 LEAST_SAMPLES, USUAL_SAMPLES, MOST_SAMPLES = 5, 60, 2_000
 

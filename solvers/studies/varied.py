@@ -1,12 +1,60 @@
-"""Keys that scenes differ by: their units, and what numbers they take."""
+"""Keys that scenes differ by: their units, what numbers they take, and columns of these."""
 
 import math
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
+from .. import validation
 from ..scene import Scene
 from ..solve import read_method
 from ..validation import SceneError, allowed
+
+WIDE = 100.0  # times the lowest value: ranges from there on are spaced by a factor
+MOST = 1_000_000  # values of a column
+
+
+def spaced(low: float, high: float, count: int = 21, spacing: str | None = None) -> np.ndarray:
+    """`count` values from `low` to `high`; evenly, or by a constant factor if `spacing` is "log".
+
+    Without `spacing`: "log" where the range is a hundredfold or more.
+    """
+    validation.whole_number("count", count, 2, MOST)
+    if not (np.isfinite(low) and np.isfinite(high) and low < high):
+        raise SceneError("range", (low, high), allowed("range"))
+    if spacing is None:
+        spacing = "log" if low > 0.0 and high / low >= WIDE else "linear"
+    validation.choice("spacing", spacing, ("linear", "log"))
+    if spacing == "log":
+        if low <= 0.0:
+            raise SceneError("range", low, allowed("above-zero"))
+        return np.geomspace(low, high, count)
+    return np.linspace(low, high, count)
+
+
+def numbers_of(key: str, values: Any) -> np.ndarray:
+    """Values as an array. Raises SceneError for words, or rows of unequal length."""
+    try:
+        return np.asarray(values, float)
+    except (TypeError, ValueError):
+        raise SceneError(key, values, allowed("list", low=1, high=MOST, of="numbers")) from None
+
+
+def columns_of(given: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """A column of numbers for each key, all of one length. Raises SceneError."""
+    columns = {key: numbers_of(key, values) for key, values in given.items()}
+    for key, values in columns.items():
+        first = next(iter(columns))
+        if values.ndim != 1 or not 1 <= values.size <= MOST:
+            reason = allowed("list", low=1, high=MOST, of="numbers")
+            raise SceneError(key, f"an array of shape {values.shape}", reason)
+        if values.size != columns[first].size:
+            reason = allowed("as-many-values", key=first, count=columns[first].size)
+            raise SceneError(key, f"{values.size} values", reason)
+    if not columns:
+        raise SceneError("columns", "nothing", allowed("some-columns"))
+    return columns
 
 
 def unit_of(scene: Scene, key: str) -> str:

@@ -13,8 +13,7 @@ import numpy as np
 from ... import validation
 from ...scene import Scene
 from ...validation import SceneError, allowed
-from ..sweep import WIDE, spaced
-from ..varied import takes_whole_numbers, value_of
+from ..varied import WIDE, spaced, takes_whole_numbers, value_of
 
 NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 RANGE = re.compile(

@@ -1,20 +1,22 @@
 """What is done at the points of a study, in whichever process: figures, notes, or why there are none."""
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
 
-from ...methods.base import Method, SceneNotSupported
+from ...methods.base import Method, SceneNotSupported, never
+from ...numerics.processors import all_processors
 from ...scene import Scene
 from ...solution.solution import Solution
 from ...solve import chosen_method
 from ...text.notes import Severity
 from ...validation import SceneError, allowed
 from ..figures import LOOKED_FOR, figures_of
-from ..sweep import quick_columns, solve_many
+from ..varied import columns_of
+from . import rigid_bulk
 
 FAILED, CRASHED = "failed", "crashed"  # beside the codes of refusals
 
@@ -70,15 +72,15 @@ class Work:
 
     def _quick(self, rows: Sequence[tuple[Any, ...]]) -> Part | None:
         """All at once, where that can be done and each of them is allowed."""
-        if self.notes or not quick_columns(self.scene, self.keys, self.method, self.figures):
+        if self.notes or not rigid_bulk.columns_fit(self.scene, self.keys, self.method, self.figures):
             return None
-        columns = dict(zip(self.keys, zip(*rows, strict=True), strict=True))
         try:
-            found = solve_many(self.scene, columns, self.method, 1, self.figures).columns
+            columns = columns_of(dict(zip(self.keys, zip(*rows, strict=True), strict=True)))
+            found = rigid_bulk.of_columns(self.scene, columns, self.figures, 1)
         except SceneError:
             return None
         nothing = np.full(len(rows), "")
-        return Part(np.stack([found[name] for name in self.figures], 1).astype(float), nothing, nothing, nothing)
+        return Part(np.stack(list(found.values()), 1), nothing, nothing, nothing)
 
     def _solved(self, row: tuple[Any, ...], said: dict[str, str]) -> tuple[list[float], str, str, str]:
         try:
@@ -118,11 +120,32 @@ class Work:
 
     def _solve(self, row: tuple[Any, ...]) -> Solution:
         scene, method, duration = self.read(row)
-        if not self.notes:
-            method = method.for_figures(
-                not LOOKED_FOR.keys().isdisjoint(self.figures), "estimated_error" in self.figures
-            )
-        return method.solve_in_full(scene, duration)
+        return (method if self.notes else _for(self.figures, method)).solve_in_full(scene, duration)
+
+
+def each(
+    scenes: Sequence[Scene],
+    method: str | Method | None,
+    figures: Sequence[str],
+    workers: int | None = None,
+    cancelled: Callable[[], bool] = never,
+) -> list[list[Any] | None]:
+    """The figures of every scene, solved on threads of this process; None for what has not begun when it is cancelled,
+    which the first always has. Raises what the first of them is refused for."""
+
+    def solve(scene: Scene) -> list[Any] | None:
+        if scene is not scenes[0] and cancelled():
+            return None
+        chosen, duration = chosen_method(scene, method)
+        return figures_of(_for(figures, chosen).solve_in_full(scene, duration), figures)
+
+    with all_processors(workers) as pool:
+        return list(pool.map(solve, scenes))
+
+
+def _for(figures: Sequence[str], method: Method) -> Method:
+    """The method without what none of these figures needs."""
+    return method.for_figures(not LOOKED_FOR.keys().isdisjoint(figures), "estimated_error" in figures)
 
 
 def _read(tables: Mapping[str, Any], *others: Any) -> Work:

@@ -9,6 +9,7 @@ from solvers import SceneError
 from solvers.numerics.waves.rigid import Pieces
 from solvers.solution.solution import Later
 from solvers.studies.mass_ratios import MOST_CONTACTS, PIECES, RATIO_RANGE, TERMS, _impacts, mass_ratio_sweep
+from solvers.studies.study.work import Work
 from solvers.studies.sweep import spaced, sweep
 from tests.catalog import ROD, SUPPORTS, T, struck_rod
 
@@ -277,3 +278,36 @@ def test_what_bodies_hold_at_the_end_is_a_figure_where_it_is_asked_for():
     quick = solvers.solve_many("fixed-rod", {"impactor.mass": [1.0, 2.0]}, figures=["impactor_energy", "target_energy"])
     held = 0.5 * np.array([1.0, 2.0]) * solvers.load("fixed-rod").impactor.velocity ** 2
     assert quick.impactor_energy + quick.target_energy == approx(held, rel=1e-12)
+
+
+@pytest.mark.parametrize("values", [[np.nan], [np.nan, np.nan], [np.inf, np.nan]])
+def test_columns_without_any_number_are_refused(values):
+    """`nanargmin` of nothing but NaN once raised a ValueError of its own."""
+    with pytest.raises(SceneError, match=r"impactor\.mass: got (nan|inf)"):
+        solvers.solve_many("fixed-rod", {"impactor.mass": values})
+
+
+def test_a_sweep_of_very_many_is_that_of_columns():
+    """Both are of the same room, and neither looks at a scene twice."""
+    values, base = np.geomspace(0.01, 100.0, 3_000), solvers.load("fixed-rod")
+    found, rows = solvers.solve_many(base, {"impactor.mass": values}), sweep(base, "impactor.mass", values)
+    assert [row["contacts"] for row in rows] == found.contacts.tolist()
+    assert [row["impactor"]["final_velocity"] for row in rows] == found.impactor_velocity.tolist()
+    assert {row["peak_indentation"] for row in rows} == {None}
+    work = Work(base, ("impactor.mass",), ("impulse",), None, notes=False)
+    assert work([(value,) for value in values.tolist()]).figures[:, 0].tolist() == found.impulse.tolist()
+
+
+def test_what_has_not_begun_is_left_out_of_a_cancelled_sweep_but_not_its_first_value():
+    scene = solvers.load("fixed-rod").replace({"contact": {"law": "hertz", "stiffness": 1e10}})
+    assert [row["value"] for row in sweep(scene, "impactor.mass", [1.0, 2.0, 3.0], cancel=lambda: True)] == [1.0]
+    asked = iter([False, True])
+    rows = sweep(scene, "impactor.mass", [1.0, 2.0, 3.0], workers=1, cancel=lambda: next(asked))
+    assert [row["value"] for row in rows] == [1.0, 2.0]
+
+
+def test_bodies_in_space_are_swept_with_velocities_of_three_components():
+    rows = sweep("brick-off-centre", "impactor.mass", [0.9, 1.1])
+    solution = solvers.solve(solvers.load("brick-off-centre").replace({"impactor.mass": 1.1}))
+    assert rows[1]["impactor"]["final_velocity"] == list(solution.impactor_velocity)
+    assert rows[1]["restitution"] == solution.restitution
