@@ -176,7 +176,7 @@ def _choose(
 
 # In time that grows as the name does: no part of it can give back what it has taken, or matches what the next one does.
 _NAME = re.compile(
-    r"(?P<word>t|time|(?:micro|milli)?strain|stress|compression|(?:contact_)?force)(?P<of>(?:_++[^\W_]++)*?)"
+    r"(?P<word>t|time|(?:micro|milli)?strain|stress|compression|(?:contact_)?force)(?P<of>(?:_++[^\W_]++(?:\.\d++)?)*?)"
     r"(?:\s*+[\[(](?P<bracket>[^\])]*+)[\])]|[_ ]++(?P<bare>[^\d_\s][^_]*+))?(?:_\d++)?",
     re.IGNORECASE,
 )

@@ -65,7 +65,12 @@ def test_kinds_and_units(head, kind, factor):
 
 @pytest.mark.parametrize(
     "name, kind",
-    [("force_waves_N", "force"), ("force_5_modes_N", "force"), ("compression_modal_at_150_mm_Pa", "stress")],
+    [
+        ("force_waves_N", "force"),
+        ("force_5_modes_N", "force"),
+        ("compression_modal_at_150_mm_Pa", "stress"),
+        ("stress_at_1.51_m_Pa", "stress"),
+    ],
 )
 def test_columns_that_the_page_saves_are_read_again(name, kind):
     text = "# scene = fixed-rod\n" + lines(head=f"time_s,{name}")
