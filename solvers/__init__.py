@@ -58,6 +58,7 @@ from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
+from .studies.hopkinson.reduction import Hopkinson, hopkinson
 from .studies.optimum import Optimum, optimise
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
@@ -88,6 +89,7 @@ __all__ = [
     "FeNodal",
     "Figures",
     "Gradient",
+    "Hopkinson",
     "JointScattering",
     "Material",
     "Mechanism",
@@ -127,6 +129,7 @@ __all__ = [
     "convergence",
     "ensemble",
     "gradient",
+    "hopkinson",
     "joint_scattering",
     "load",
     "optimise",

@@ -16,6 +16,7 @@ from solvers import SceneError
 from solvers.contact.duration import exponent_of
 from solvers.jit.shortcuts import shorten
 
+from .hopkinson import add_command as add_hopkinson_command
 from .lesson import add_commands as add_lesson_commands
 from .parser import Parser, Refused
 from .plot import add_command as add_plot_command
@@ -106,6 +107,7 @@ def _parser() -> argparse.ArgumentParser:
     _gradient_command(commands)
     _convergence_command(commands)
     _record_command(commands)
+    add_hopkinson_command(commands)
     _scene_command(
         commands, "stability", text("help.stability.about"), stability.add_arguments, stability.print_stability
     )

@@ -50,7 +50,7 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
         notes.append(Note("record.other-sign", Severity.WARNING, residual=other))
     notes += clock_notes(records[0])
     if options.series is not None:
-        _write(options.series, _series(solution, records, places, found, waves))
+        write_columns(options.series, _series(solution, records, places, found, waves))
     answer = _answer(solution, records, places, found, waves, notes)
     print(json.dumps(answer, indent=1, allow_nan=False) if options.json else _report(answer))
     return 0
@@ -189,8 +189,8 @@ def _series(
     return columns
 
 
-def _write(name: str, columns: dict[str, np.ndarray]) -> None:
-    """Cells are empty where the solution has ended."""
+def write_columns(name: str, columns: dict[str, np.ndarray]) -> None:
+    """As CSV; cells without a value, as where a solution has ended, are empty."""
     rows = np.column_stack(list(columns.values())).tolist()
     lines = [",".join(columns), *(",".join("" if v != v else f"{v:.12g}" for v in row) for row in rows)]
     try:
