@@ -82,8 +82,7 @@ def find_windows(
     if start is None:
         start = _foot(incident, height, max(SURE * incident.noise, FOOT * height))
     else:
-        low, high = float(incident.time[0]), float(incident.time[-1])
-        start = number("start", start, low, high, "s", "record")
+        start = number("start", start, float(incident.time[0]), rough, "s")  # by then it has risen
     arrival = start + 2.0 * bars.incident.delay
     if arrival > incident.time[-1] - LEAST_SAMPLES * incident.step:
         raise RecordError("hopkinson-short", float(incident.time[-1]), end=incident.time[-1], arrival=arrival)
@@ -140,10 +139,12 @@ def _ended(gauge: Gauge, bars: Bars, start: float, arrival: float, height: float
     """When the incident pulse has ended, and how long it lasts at half of its height [s]."""
     known = (gauge.time >= start) & (gauge.time <= arrival - gauge.step)
     time, strain = gauge.time[known], gauge.strain[known]
+    if not (strain > 0.5 * height).any():
+        raise _overlap(bars)
     up = int(np.argmax(strain > 0.5 * height))
     down = up + int(np.argmax(strain[up:] < 0.5 * height))
     foot = down + int(np.argmax(strain[down:] < max(ENDED * height, 2.0 * gauge.noise)))
-    if not time.size or down == up or not strain[foot] < max(ENDED * height, 2.0 * gauge.noise):
+    if down == up or not strain[foot] < max(ENDED * height, 2.0 * gauge.noise):
         raise _overlap(bars)
     return float(time[foot]), float(time[down] - time[up])
 

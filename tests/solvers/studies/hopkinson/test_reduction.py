@@ -223,10 +223,32 @@ def test_records_that_show_too_little_are_refused():
     assert refused(loud, BARS).reason.code == "record.refused.hopkinson-noise"
     short = BARS | {"specimen": {"length": 1e-4, "diameter": 0.01}}
     assert refused((one, two), short).reason.code == "record.refused.hopkinson-gone"
-    assert refused((one, two), BARS, start=1.0).key == "start"
+    assert refused((one, two), BARS, start=400e-6).key == "start"
     assert refused((one, two), BARS, window=1.0).key == "window"
     assert refused((one, two), BARS, waves=4).key == "waves"
     far = BARS | {"transmitted": BARS["transmitted"] | {"gauge": 1.5}}
     assert refused((one, two), far).reason.values["why"] == "transmitted"
+    at_face = BARS | {"incident": BARS["incident"] | {"gauge": 0.0}}
+    assert refused((one, two), at_face).key == "incident.gauge"
     coarse = tuple(Record(each.time[::10], each.values[::10], "strain") for each in (one, two))
     assert refused(coarse, BARS).reason.code == "record.refused.hopkinson-steps"
+
+
+@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("dispersion", ["none", "pochhammer"])
+def test_any_record_is_reduced_or_refused(seed, dispersion):
+    random = np.random.default_rng(seed)
+    count = int(random.integers(8, 2000))
+    time = np.cumsum(random.uniform(0.1e-6, 1.5e-6) * random.uniform(0.5, 1.5, count))
+    steps = random.normal(0.0, 1e-3, (2, count)) * (random.random((2, count)) < random.choice([0.002, 0.02, 1.0]))
+    values = np.cumsum(steps, axis=1) * (time > random.uniform(-1.0, 1.0) * time[-1])
+    bars = BARS | {"dispersion": dispersion}
+    bars |= {"incident": BARS["incident"] | {"gauge": random.uniform(0.0, 1.5)}}
+    try:
+        found = solvers.hopkinson(tuple(Record(time, each, "strain") for each in values), bars)
+    except SceneError as error:
+        assert "\n" not in str(error) and "nan" not in str(error)
+    else:
+        table = found.table()
+        assert all(np.isfinite(curve).all() for curve in table["stress_strain"].values())
+        assert all(str(note) for note in found.notes)
