@@ -8,6 +8,7 @@ import solvers
 from solvers import Hopkinson, SceneError, validation
 
 from .export import check_name
+from .reading import add_arguments, how
 from .record import write_columns
 from .words import family, figure, text
 
@@ -21,9 +22,7 @@ def add_command(commands: Any) -> None:
     parser.add_argument("--start", metavar="S", help=text("help.hopkinson.start"))
     parser.add_argument("--window", metavar="S", help=text("help.hopkinson.window"))
     parser.add_argument("--kind", help=text("help.hopkinson.kind"))
-    parser.add_argument("--columns", metavar="NAMES", help=text("help.record.columns"))
-    parser.add_argument("--decimal", metavar="SIGN", help=text("help.record.decimal"))
-    parser.add_argument("--sign", default="1", help=text("help.record.sign"))
+    add_arguments(parser)
     parser.add_argument("--series", metavar="FILE", help=text("help.hopkinson.series"))
     parser.add_argument("--json", action="store_true", help=text("help.json"))
     parser.set_defaults(run=print_hopkinson)
@@ -33,10 +32,7 @@ def print_hopkinson(options: Namespace) -> int:
     """Reduce the record, print the results, write the curves."""
     if options.series is not None:
         check_name(options.series, ".csv")
-    validation.choice("--sign", options.sign, ("1", "-1"))
     validation.choice("--waves", options.waves, ("1", "2", "3"))
-    columns = None if options.columns is None else tuple(name.strip() for name in options.columns.split(","))
-    how = {"kind": options.kind, "columns": columns, "sign": int(options.sign), "decimal": options.decimal}
     try:
         found = solvers.hopkinson(
             options.file,
@@ -44,10 +40,10 @@ def print_hopkinson(options: Namespace) -> int:
             start=_seconds("--start", options.start),
             window=_seconds("--window", options.window),
             waves=int(options.waves),
-            **how,
+            **how(options),
         )
     except SceneError as refused:
-        if refused.key in ("start", "window", "bars", "kind", "decimal"):
+        if refused.key in ("start", "window", "bars", "kind", "decimal", "scale"):
             raise SceneError(f"--{refused.key}", refused.value, refused.reason) from None
         raise
     if options.series is not None:

@@ -24,6 +24,7 @@ from solvers.text.notes import Note, Severity, coded
 
 from ..views.record import MAX_FOLLOWED, clock_notes, other_sign
 from .export import check_name
+from .reading import how
 from .words import family, figure, text
 
 UNITS = {"strain": "", "stress": "_Pa", "force": "_N"}
@@ -74,10 +75,8 @@ def _records(options: argparse.Namespace, count: int) -> list[Record]:
     if options.example == (options.file is not None):
         raise SceneError("FILE", options.file, text("wanted.record"))
     file = example() if options.example else options.file
-    columns = None if options.columns is None else tuple(name.strip() for name in options.columns.split(","))
-    validation.choice("--sign", options.sign, ("1", "-1"))
-    how = {"kind": options.kind, "columns": columns, "sign": int(options.sign), "decimal": options.decimal}
-    return [load_record(file, gauge=number, **how) for number in range(1, count + 1)]
+    given = how(options)
+    return [load_record(file, gauge=number, **given) for number in range(1, count + 1)]
 
 
 def _solution(scene: solvers.Scene, record: Record) -> Solution:

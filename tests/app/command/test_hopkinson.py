@@ -136,3 +136,25 @@ def test_histories_that_were_solved_and_saved_are_a_record(capsys, tmp_path):
     modulus = curves["stress_three_waves"][inner] / curves["strain"][inner]
     assert modulus == approx(70e9, rel=0.012)  # half a step of 0.6 us at 700 1/s, beside a strain of 1.7 %
     assert found["peak_stress"] == approx(1.2709e9, rel=1e-4) and found["striker"] is None
+
+
+def test_volts_of_an_amplifier(capsys, files, tmp_path):
+    """Two lines before the table, and 2 mV for each microstrain."""
+    _, *rows = (files / "record.csv").read_text().splitlines()
+    cells = [[float(cell) for cell in row.split(",")] for row in rows]
+    volts = [f"{time:g},{2e-3 * one:.8g},{2e-3 * two + 0.1:.8g}" for time, one, two in cells]
+    path = tmp_path / "volts.csv"
+    path.write_text("\n".join(["Scope", "4 channels", "time_us,CH1,transmitted", *volts]))
+    given = ("hopkinson", str(path), "--bars", str(files / "bars.toml"), "--skip", "2", "--json")
+    found = json.loads(answer(capsys, *given, "--scale", "CH1=5e-4", "--scale", "transmitted=5e-4:-5e-5"))
+    own = json.loads(answer(capsys, *call(files, "--json")))
+    assert found["strain_rate"] == approx(own["strain_rate"], rel=1e-6)
+    assert found["gauges"]["transmitted"]["offset"] == approx(own["gauges"]["transmitted"]["offset"], abs=1e-9)
+    for word, said in (
+        ("CH1", "NAME=FACTOR"),
+        ("CH1=x", "NAME=FACTOR"),
+        ("CH9=1", "CH1, transmitted"),
+        ("=2", "NAME=FACTOR"),
+    ):
+        assert said in refusal(capsys, *given, "--scale", word)
+    assert "--skip: got 'few'" in refusal(capsys, *given[:4], "--skip", "few")
