@@ -59,6 +59,7 @@ from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
 from .studies.figures import Figures
 from .studies.gradient import Gradient, gradient
+from .studies.hopkinson.reduction import Hopkinson, hopkinson
 from .studies.optimum import Optimum, optimise
 from .studies.pareto import Pareto, pareto
 from .studies.report.report import Report, report
@@ -92,6 +93,7 @@ __all__ = [
     "FeNodal",
     "Figures",
     "Gradient",
+    "Hopkinson",
     "JointScattering",
     "Material",
     "Mechanism",
@@ -134,6 +136,7 @@ __all__ = [
     "convergence",
     "ensemble",
     "gradient",
+    "hopkinson",
     "joint_scattering",
     "load",
     "optimise",

@@ -16,9 +16,11 @@ from solvers import SceneError
 from solvers.contact.duration import exponent_of
 from solvers.jit.shortcuts import shorten
 
+from .hopkinson import add_command as add_hopkinson_command
 from .lesson import add_commands as add_lesson_commands
 from .parser import Parser, Refused
 from .plot import add_command as add_plot_command
+from .reading import add_arguments as add_reading_arguments
 from .seek import add_arguments as add_seek_arguments
 from .seek import print_sought, turned_round
 from .serve import add_arguments as add_serve_arguments
@@ -107,6 +109,7 @@ def _parser() -> argparse.ArgumentParser:
     _gradient_command(commands)
     _convergence_command(commands)
     _record_command(commands)
+    add_hopkinson_command(commands)
     _scene_command(
         commands, "stability", text("help.stability.about"), stability.add_arguments, stability.print_stability
     )
@@ -271,9 +274,7 @@ def _record_command(commands: Any) -> None:
     _scene_arguments(parser, option=True)
     parser.add_argument("--kind", help=text("help.record.kind"))
     parser.add_argument("--at", action="append", default=[], metavar="X", help=text("help.record.at"))
-    parser.add_argument("--columns", metavar="NAMES", help=text("help.record.columns"))
-    parser.add_argument("--decimal", metavar="SIGN", help=text("help.record.decimal"))
-    parser.add_argument("--sign", default="1", help=text("help.record.sign"))
+    add_reading_arguments(parser)
     parser.add_argument("--shift", metavar="S", help=text("help.record.shift"))
     parser.add_argument("--recover", action="store_true", help=text("help.record.recover"))
     parser.add_argument("--series", metavar="FILE", help=text("help.record.series"))

@@ -24,6 +24,7 @@ from solvers.text.notes import Note, Severity, coded
 
 from ..views.record import MAX_FOLLOWED, clock_notes, other_sign
 from .export import check_name
+from .reading import how
 from .words import family, figure, text
 
 UNITS = {"strain": "", "stress": "_Pa", "force": "_N"}
@@ -50,7 +51,7 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
         notes.append(Note("record.other-sign", Severity.WARNING, residual=other))
     notes += clock_notes(records[0])
     if options.series is not None:
-        _write(options.series, _series(solution, records, places, found, waves))
+        write_columns(options.series, _series(solution, records, places, found, waves))
     answer = _answer(solution, records, places, found, waves, notes)
     print(json.dumps(answer, indent=1, allow_nan=False) if options.json else _report(answer))
     return 0
@@ -74,10 +75,8 @@ def _records(options: argparse.Namespace, count: int) -> list[Record]:
     if options.example == (options.file is not None):
         raise SceneError("FILE", options.file, text("wanted.record"))
     file = example() if options.example else options.file
-    columns = None if options.columns is None else tuple(name.strip() for name in options.columns.split(","))
-    validation.choice("--sign", options.sign, ("1", "-1"))
-    how = {"kind": options.kind, "columns": columns, "sign": int(options.sign), "decimal": options.decimal}
-    return [load_record(file, gauge=number, **how) for number in range(1, count + 1)]
+    given = how(options)
+    return [load_record(file, gauge=number, **given) for number in range(1, count + 1)]
 
 
 def _solution(scene: solvers.Scene, record: Record) -> Solution:
@@ -189,8 +188,8 @@ def _series(
     return columns
 
 
-def _write(name: str, columns: dict[str, np.ndarray]) -> None:
-    """Cells are empty where the solution has ended."""
+def write_columns(name: str, columns: dict[str, np.ndarray]) -> None:
+    """As CSV; cells without a value, as where a solution has ended, are empty."""
     rows = np.column_stack(list(columns.values())).tolist()
     lines = [",".join(columns), *(",".join("" if v != v else f"{v:.12g}" for v in row) for row in rows)]
     try:

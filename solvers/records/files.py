@@ -1,6 +1,7 @@
 """Measured records in files: tables as text, checked before anything is computed with them."""
 
 import re
+from collections.abc import Mapping
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
@@ -8,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import validation
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .record import KINDS, Record
 from .refused import RecordError
 from .tables import Row, check_cells, digits, read_rows, signs_of, written
@@ -63,6 +64,8 @@ def read_record(
     columns: tuple[str, ...] | None = None,
     sign: int = 1,
     decimal: str | None = None,
+    skip: int = 0,
+    scale: Mapping[str, tuple[float, float]] | None = None,
 ) -> Record:
     """A record from the text of a table: one row per sample, columns named with their units in the first row.
 
@@ -73,7 +76,9 @@ def read_record(
     `kind` is given. `kind`: which kind of column to read, where there are several; `gauge`: the how manieth of that
     kind. Without a row of names, `columns` gives them, or else the first column is time in seconds and the second of
     `kind` in its SI unit. Strain is positive in tension, stress and force in compression; `sign` -1 turns a record in
-    which it is the other way round.
+    which it is the other way round. `skip`: lines before the table. `scale`: by the name of a column, or its number
+    from 1 on, the factor and the offset [SI units] of what a value stands for, such as strain per volt; a column whose
+    name says no kind is of `kind`, or strain.
     Raises SceneError naming row and column.
     """
     if kind is not None:
@@ -82,19 +87,20 @@ def read_record(
     if decimal is not None:
         validation.choice("decimal", decimal, (".", ","))
     text = _text(content)
+    text = "\n" * skip + "".join(text.splitlines(keepends=True)[skip:])  # rows keep their numbers
     rows = read_rows(text, None if columns is None else len(columns))
     if not rows:
         raise RecordError("few-rows", 0, rows=0, least=LEAST_ROWS)
     names, rows = _names(rows, columns, kind)
     saved = SAVED.search(text) is not None
-    chosen, found, factors = _choose(names, kind, gauge, saved)
+    chosen, found, factors = _choose(names, kind, gauge, saved, scale or {})
     if len(rows) < LEAST_ROWS:
         raise RecordError("few-rows", len(rows), rows=len(rows), least=LEAST_ROWS)
     if len(rows) > MAX_ROWS:
         raise RecordError("many-rows", len(rows), rows=len(rows), most=MAX_ROWS)
     check_cells(rows, names)
     start, time, values = _columns(rows, names, chosen, factors, decimal)
-    values = values * sign
+    values = (values + _scale_of(chosen[1], names[chosen[1]], scale or {})[1]) * sign
     if saved:
         time, values = _even(time, values)
     _check_time(time, [line for line, _ in rows])
@@ -156,10 +162,12 @@ def _are_names(cells: list[str]) -> bool:
 
 
 def _choose(
-    names: tuple[str, ...], kind: str | None, gauge: int, saved: bool
+    names: tuple[str, ...], kind: str | None, gauge: int, saved: bool, scale: Mapping[str, tuple[float, float]]
 ) -> tuple[tuple[int, int], str, tuple[float, float]]:
     """Which columns are time and value, the kind of the latter, and the factors to SI units."""
-    known = [(index, *meaning) for index, name in enumerate(names) if (meaning := _meaning(name)) is not None]
+    _check_scale(names, scale)
+    meanings = [_scaled(index, name, kind, scale) for index, name in enumerate(names)]
+    known = [(index, *meaning) for index, meaning in enumerate(meanings) if meaning is not None]
     times = [column for column in known if column[1] == "time"]
     values = [column for column in known if column[1] in ((kind,) if kind else KINDS)]
     shown = ", ".join(str(name)[:20] for name in names)[:60]
@@ -174,9 +182,47 @@ def _choose(
     return (times[0][0], value[0]), value[1], (times[0][2], value[2])
 
 
+def _check_scale(names: tuple[str, ...], scale: Mapping[str, tuple[float, float]]) -> None:
+    """Raises SceneError for a column that is not there, or the time, and for what is no factor."""
+    numbered = [(str(n), name.strip()) for n, name in enumerate(names, 1) if not _is_time(name)]
+    for name, numbers in scale.items():
+        if not any(name in column for column in numbered):
+            known = [column[:NAME_LETTERS] for _, column in numbered]
+            raise SceneError("scale", name, allowed("column-of", names=known))
+        validation.number("scale", abs(numbers[0]), 1e-15, 1e15)
+        validation.number("scale", numbers[1], -1e12, 1e12)
+
+
+def _is_time(name: str) -> bool:
+    """Whether a column is one of times; one with a unit that is not known is none."""
+    try:
+        return (_meaning(name) or ("",))[0] == "time"
+    except RecordError:
+        return False
+
+
+def _scale_of(index: int, name: str, scale: Mapping[str, tuple[float, float]]) -> tuple[float, float]:
+    """Factor and offset of a column."""
+    return scale.get(name.strip(), scale.get(str(index + 1), (1.0, 0.0)))
+
+
+def _scaled(
+    index: int, name: str, kind: str | None, scale: Mapping[str, tuple[float, float]]
+) -> tuple[str, float] | None:
+    """`_meaning` of a column whose values may be scaled."""
+    if not {name.strip(), str(index + 1)} & scale.keys():
+        return _meaning(name)
+    try:
+        own = _meaning(name)
+    except RecordError:  # its unit is that of an amplifier
+        own = None
+    own_kind, factor = own or (kind or "strain", 1.0)
+    return own_kind, factor * _scale_of(index, name, scale)[0]
+
+
 # In time that grows as the name does: no part of it can give back what it has taken, or matches what the next one does.
 _NAME = re.compile(
-    r"(?P<word>t|time|(?:micro|milli)?strain|stress|compression|(?:contact_)?force)(?P<of>(?:_++[^\W_]++)*?)"
+    r"(?P<word>t|time|(?:micro|milli)?strain|stress|compression|(?:contact_)?force)(?P<of>(?:_++[^\W_]++(?:\.\d++)?)*?)"
     r"(?:\s*+[\[(](?P<bracket>[^\])]*+)[\])]|[_ ]++(?P<bare>[^\d_\s][^_]*+))?(?:_\d++)?",
     re.IGNORECASE,
 )

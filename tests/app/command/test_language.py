@@ -66,6 +66,7 @@ stability fixed-rod --grid 2x2 --modes 4
 tradeoff fixed-rod --stored
 joints bent-rods
 record --scene fixed-rod --example
+hopkinson docs/hopkinson.csv --bars docs/hopkinson-bars.toml
 lesson --help
 lesson check --help
 lesson new --help
@@ -104,6 +105,7 @@ KEYS = {
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
     *("curves", "map", "points", "parallel", "matrix", "bars"),
+    "hopkinson",
     *("study", "optimise", "velvet", "uncertain", "plot", "report", "file", "NAME"),
     *(
         "plan",

@@ -65,7 +65,12 @@ def test_kinds_and_units(head, kind, factor):
 
 @pytest.mark.parametrize(
     "name, kind",
-    [("force_waves_N", "force"), ("force_5_modes_N", "force"), ("compression_modal_at_150_mm_Pa", "stress")],
+    [
+        ("force_waves_N", "force"),
+        ("force_5_modes_N", "force"),
+        ("compression_modal_at_150_mm_Pa", "stress"),
+        ("stress_at_1.51_m_Pa", "stress"),
+    ],
 )
 def test_columns_that_the_page_saves_are_read_again(name, kind):
     text = "# scene = fixed-rod\n" + lines(head=f"time_s,{name}")
@@ -191,3 +196,27 @@ def test_anything_is_read_or_refused(content):
         else:
             assert np.isfinite(record.time).all() and np.isfinite(record.values).all()
             assert (np.diff(record.time) > 0.0).all()
+
+
+def test_volts_are_scaled_by_name_or_number():
+    rows = "\n".join(f"{n},{0.5 * n},{n % 3}" for n in range(12))
+    text = "Scope 3\nrange 5 V, 2 V\n" + "time_us,CH1,CH2\n" + rows
+    one = read_record(text, skip=2, scale={"CH1": (1e-3, 2e-6), "3": (-1e-4, 0.0)})
+    two = read_record(text, skip=2, gauge=2, scale={"CH1": (1e-3, 2e-6), "3": (-1e-4, 0.0)}, sign=-1)
+    assert (one.kind, one.time[3]) == ("strain", approx(3e-6))
+    assert one.values == approx(0.5e-3 * np.arange(12) + 2e-6)
+    assert two.values == approx(1e-4 * (np.arange(12) % 3))
+    assert read_record(text, skip=2, kind="force", scale={"CH2": (2e3, 0.0)}).values.max() == approx(4e3)
+    own = read_record(text.replace("CH1", "microstrain"), skip=2, scale={"2": (2.0, 0.0)})
+    assert own.values == approx(1e-6 * np.arange(12))
+    for wrong in ("CH3", "4", "0", "1", "time_us"):
+        with pytest.raises(SceneError, match=r"^scale: got .*; allowed: the name, or the number, .*: CH1, CH2$"):
+            read_record(text, skip=2, scale={wrong: (1.0, 0.0)})
+    with pytest.raises(SceneError, match="scale"):
+        read_record(text, skip=2, scale={"CH1": (0.0, 0.0)})
+
+
+def test_rows_keep_their_numbers_where_lines_are_skipped():
+    text = "Scope\n" + lines().replace(lines().splitlines()[4], "oops,oops")
+    with pytest.raises(SceneError, match="Row 6 of the record"):
+        read_record(text, skip=1)

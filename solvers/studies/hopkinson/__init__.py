@@ -1,0 +1,1 @@
+"""The reduction of records of a split Hopkinson bar."""
