@@ -93,9 +93,10 @@ class Scene:
             if normal is None:
                 _check_approach(impactor, target)
             _check_masses(impactor, target)
-        for name, what in (("method", "method-table"), ("view", "a-table")):
-            if not isinstance(given.get(name, {}), Mapping):
-                raise SceneError(name, given[name], allowed(what))
+        if not isinstance(given.get("method", {}), Mapping):
+            raise SceneError("method", given["method"], allowed("method-table"))
+        if not isinstance(given.get("view", {}), Mapping):
+            raise SceneError("view", given["view"], allowed("a-table"))
         return cls(
             impactor,
             target,
