@@ -18,6 +18,8 @@ from ..sweep import quick_columns, solve_many
 
 FAILED, CRASHED = "failed", "crashed"  # beside the codes of refusals
 
+Span = tuple[int, int]  # of points, from the first up to the second
+
 
 @dataclass(frozen=True)
 class Part:
