@@ -11,7 +11,6 @@ True
 """
 
 import json
-import shutil
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,6 +19,7 @@ import numpy as np
 
 from ..provenance import version
 from .figures import BANDS, PARTS, Figure, fields_of, histories_of, origin, reach
+from .regions import NOT_SOLVED, WORDS, Blocks, add_arrays
 
 try:
     import pandas
@@ -28,12 +28,7 @@ try:
 except ImportError as missing:
     raise ImportError("dataset() needs xarray: pip install 'strikewave[notebook]'") from missing
 
-NOT_SOLVED = "not-solved"  # of a point of a study that was interrupted
-WORDS = {  # of a point of a study
-    "refused": "code of the refusal; empty where it is solved",
-    "reason": "why it is refused",
-    "notes": "codes of its notes",
-}
+HELD = 1_000_000  # points that a study in zarr may have to be read at once
 INSTANTS, PLACES = 401, 201  # enough to draw, and some 600 kB a field
 
 
@@ -152,7 +147,14 @@ def study(design: Any, parts: Iterable[tuple[Any, Any]], figures: Any, units: An
     variables |= {
         name: (dimensions, values.reshape(design.shape), {"long_name": WORDS[name]}) for name, values in words.items()
     }
-    return Dataset(variables, places, about | {"sentences": json.dumps(said)})
+    return Dataset(variables, places, about | {"sentences": json.dumps(said, sort_keys=True)})
+
+
+def begin_store(path: Path, design: Any, blocks: Blocks, figures: Any, units: Any, about: Any) -> None:
+    """A zarr store of the same, in which no point is solved yet. Raises OSError where it cannot be written."""
+    dimensions, places = _places(design, units)
+    Dataset(coords=places, attrs=about).to_zarr(path, mode="w", consolidated=False)
+    add_arrays(path, dimensions, blocks, figures)
 
 
 def _places(design: Any, units: Any) -> tuple[tuple[str, ...], dict[str, Any]]:
@@ -179,13 +181,10 @@ def _values(column: Sequence[Any]) -> np.ndarray:
 
 
 def write_study(found: Dataset, path: Path) -> None:
-    """As the ending of its name says; there wholly or not at all. Raises OSError where it cannot be written."""
+    """As the ending of its name says, .nc, .csv or .parquet: there wholly or not at all. Raises OSError."""
     written = path.with_name(f"{path.name}.new")
     if path.suffix == ".nc":
         found.to_netcdf(written)
-    elif path.suffix == ".zarr":
-        shutil.rmtree(written, ignore_errors=True)
-        found.to_zarr(written, mode="w", consolidated=False)
     else:
         rows = found.to_dataframe().reset_index()
         if path.suffix == ".csv":
@@ -198,13 +197,22 @@ def write_study(found: Dataset, path: Path) -> None:
 
 
 def read_study(path: Path) -> Dataset:
-    """What `write_study` wrote: with its dimensions from .nc and .zarr, along `point` from rows."""
+    """What `write_study` wrote: with its dimensions from .nc and .zarr, along `point` from rows.
+
+    Of .zarr figures are read when they are asked for; so are words of more than 1e6 points, which are no objects then.
+    """
     if path.suffix == ".nc":
         with xarray.open_dataset(path) as found:
             return found.load()
     if path.suffix == ".zarr":
         found = xarray.open_zarr(path, chunks=None, consolidated=False)
-        words = {name: array.astype(object) for name, array in found.variables.items() if array.dtype.kind == "T"}
+        names = [name for name in (*str(found.attrs.get("figures", "")).split(), *WORDS) if name in found]
+        found = found[names] if len(names) == len(found.data_vars) else found  # a folder has no order of its own
+        words = {
+            name: array.astype(object)
+            for name, array in found.variables.items()
+            if array.dtype.kind == "T" and array.size <= HELD
+        }
         return found.assign(words)
     rows = pandas.read_csv(path, keep_default_na=True) if path.suffix == ".csv" else pandas.read_parquet(path)
     for name in WORDS:
@@ -213,6 +221,12 @@ def read_study(path: Path) -> Dataset:
     keys = [key for axis in json.loads(about["design"])["vary"] for key in axis["keys"]]
     rows = rows.set_index("point") if "point" in rows else rows.rename_axis("point")
     return Dataset.from_dataframe(rows).set_coords(keys).assign_attrs(about)
+
+
+def held_study(path: Path) -> Dataset:
+    """Of a zarr store, all at once if it has at most 1e6 points."""
+    found = read_study(path)
+    return found.load() if found.refused.size <= HELD else found
 
 
 def study_in(path: Path) -> dict[str, Any]:

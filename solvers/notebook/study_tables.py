@@ -1,60 +1,91 @@
 """A study in a few lines: how far its figures reach and where, what was refused, and what is to be known."""
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
+from .regions import NOT_SOLVED, WORDS, blocks_of
 from .words import listed, shown, text
 
-WORDS = ("refused", "reason", "notes")
-NOT_SOLVED = "not-solved"
+STRETCH = 1_000_000  # points that are looked at at once
 
 
 def summary(found: Any) -> dict[str, Any]:
     """Of a Dataset of `solvers.study`, as plain tables: numbers of points; refusals and notes by code; the lowest and
-    the highest value of each figure, with the values of the keys there."""
-    refused = found.refused.values.ravel()
-    codes, first, counts = np.unique(refused.astype(str), return_index=True, return_counts=True)
-    by_code = {code: (int(where), int(count)) for code, where, count in zip(codes, first, counts, strict=True)}
-    solved = by_code.pop("", (0, 0))[1]
-    waiting = by_code.pop(NOT_SOLVED, (0, 0))[1]
-    reasons = found.reason.values.ravel()
+    the highest value of each figure, with the values of the keys there. It is read a stretch at a time."""
+    points, solved = found.refused.size, 0
+    by_code: dict[str, tuple[int, int]] = {}  # the first point, and how many there are
     notes: dict[str, int] = {}
-    for said in found.notes.values.ravel().tolist():
-        for code in said.split():
-            notes[code] = notes.get(code, 0) + 1
+    for first, refused in _stretches(found.refused):
+        there = np.flatnonzero(refused != "")
+        solved += refused.size - there.size
+        for code, where, count in _counted(refused[there]):
+            before = by_code.get(code, (first + int(there[where]), 0))
+            by_code[code] = before[0], before[1] + count
+    for _, said in _stretches(found.notes):
+        for codes, _, count in _counted(said[said != ""]):
+            for code in codes.split():
+                notes[code] = notes.get(code, 0) + count
+    waiting = by_code.pop(NOT_SOLVED, (0, 0))[1]
     return {
-        "points": refused.size,
+        "points": points,
         "solved": solved,
-        "refused": refused.size - solved - waiting,
+        "refused": points - solved - waiting,
         "waiting": waiting,
         "figures": reaches(
-            ((str(name), each.attrs.get("units", ""), each.values.ravel()) for name, each in found.data_vars.items()),
+            ((str(name), each.attrs.get("units", ""), _stretches(each)) for name, each in found.data_vars.items()),
             lambda where: _at(found, where),
         ),
         "refusals": [
-            {"code": code, "points": count, "at": _at(found, where), "reason": str(reasons[where])}
-            for code, (where, count) in sorted(by_code.items(), key=lambda each: -each[1][1])
+            {"code": code, "points": count, "at": _at(found, where), "reason": _value(found.reason, where)}
+            for code, (where, count) in sorted(by_code.items(), key=lambda each: (-each[1][1], each[0]))
         ],
-        "notes": dict(sorted(notes.items(), key=lambda each: -each[1])),
+        "notes": dict(sorted(notes.items(), key=lambda each: (-each[1], each[0]))),
         "sentences": json.loads(
             found.attrs.get("sentences", "{}")
         ),  # by code, the sentence of the first point that has it
     }
 
 
-def reaches(columns: Iterable[tuple[str, str, np.ndarray]], at: Callable[[int], Mapping[str, Any]]) -> dict[str, Any]:
-    """Of columns as name, unit and values, without those that have none: the lowest and the highest value, and `at`
-    what they are."""
+def reaches(
+    columns: Iterable[tuple[str, str, Iterable[tuple[int, np.ndarray]]]], at: Callable[[int], Mapping[str, Any]]
+) -> dict[str, Any]:
+    """The lowest and the highest value of each figure, with what `at` says of the points where they are; columns: name,
+    unit, and values by stretches, each with the number of its first point."""
     found: dict[str, Any] = {}
-    for name, unit, values in columns:
-        if name not in WORDS and not np.isnan(values).all():
-            ends = {"lowest": int(np.nanargmin(values)), "highest": int(np.nanargmax(values))}
-            reach = {end: {"value": float(values[where]), "at": at(where)} for end, where in ends.items()}
+    for name, unit, stretches in columns:
+        if name in WORDS:
+            continue
+        low, high = (np.inf, -1), (-np.inf, -1)  # with their points
+        for first, values in stretches:
+            if not np.isnan(values).all():
+                where = int(np.nanargmin(values)), int(np.nanargmax(values))
+                low = min(low, (float(values[where[0]]), first + where[0]))
+                high = max(high, (float(values[where[1]]), first + where[1]), key=lambda each: each[0])
+        if low[1] >= 0:
+            ends = {"lowest": low, "highest": high}
+            reach = {end: {"value": value, "at": at(where)} for end, (value, where) in ends.items()}
             found[name] = {"unit": unit} | reach
     return found
+
+
+def _stretches(array: Any) -> Iterator[tuple[int, np.ndarray]]:
+    """The values of an array, flat, with the number of their first point: so many as are held at once."""
+    for span in (blocks := blocks_of(array.shape, STRETCH)):
+        yield span[0], np.asarray(array.variable[blocks.region(span)].values).ravel()
+
+
+def _counted(words: np.ndarray) -> Iterator[tuple[str, int, int]]:
+    """Each word, the place where it is first, and how often it is there."""
+    different, first, counts = np.unique(words.astype(object).astype(str), return_index=True, return_counts=True)
+    yield from zip(different.tolist(), first.tolist(), counts.tolist(), strict=True)
+
+
+def _value(array: Any, point: int) -> str:
+    """The word at a point."""
+    return str(np.asarray(array.variable[np.unravel_index(point, array.shape)].values))
 
 
 def _at(found: Any, point: int) -> dict[str, Any]:
@@ -108,7 +139,7 @@ def figures_head(found: Any) -> str:
 
 def figures_reach(found: Any) -> dict[str, Any]:
     """As `reaches`; `at` the values that scenes differ by, or else the number of the scene."""
-    columns = ((name, found.kinds[name], values) for name, values in found.columns.items())
+    columns = ((name, found.kinds[name], [(0, values)]) for name, values in found.columns.items())
     varied = found.varied or {"scene": np.arange(len(found))}
     return reaches(columns, lambda row: {key: values[row].item() for key, values in varied.items()})
 

@@ -7,7 +7,7 @@ import re
 import signal
 import socket
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from functools import cache
@@ -44,10 +44,10 @@ class Cluster:
 
         self.client, self.address, self.end = client, address, end
         self.broken: tuple[type[BaseException], ...] = (KilledWorker,)
-        self.running: set[Future[Part]] = set()
+        self.running: set[Future[Any]] = set()
         self.task, self.here = _task(), version()
         self.study, self.submitted = uuid4().hex, 0
-        self.packed: tuple[Work, bytes] | None = None
+        self.packed: dict[int, tuple[Callable[..., Any], bytes]] = {}  # by the id of what is called, that and it packed
         self.counted, self.threads = -COUNT, 1
 
     @property
@@ -65,23 +65,23 @@ class Cluster:
             if there != self.here and not isinstance(there, OSError):  # of one that has ended meanwhile
                 raise self._refused(allowed("cluster-version", here=self.here, there=_said(there), worker=worker))
 
-    def submit(self, work: Work, rows: list) -> "Future[Part]":
+    def submit(self, work: Callable[..., Any], rows: Any) -> "Future[Any]":
         """Begin one part. What its worker refuses is a SceneError."""
-        if self.packed is None or self.packed[0] is not work:
+        if id(work) not in self.packed:
             import cloudpickle
 
-            self.packed = work, cloudpickle.dumps(work)
+            self.packed[id(work)] = work, cloudpickle.dumps(work)
         self.submitted += 1
         key = f"{NAME}-{self.study}-{self.submitted}"
-        sent = self.client.submit(self.task, self.here, self.packed[1], rows, key=key, pure=False)
-        found: Future[Part] = Future()
+        sent = self.client.submit(self.task, self.here, self.packed[id(work)][1], rows, key=key, pure=False)
+        found: Future[Any] = Future()
         self.running.add(found)
         found.add_done_callback(self.running.discard)
         found.add_done_callback(lambda found: sent.cancel() if found.cancelled() else None)
         self.client.loop.add_callback(self._answer, sent, found)
         return found
 
-    async def _answer(self, sent: Any, found: "Future[Part]") -> None:
+    async def _answer(self, sent: Any, found: "Future[Any]") -> None:
         """What has come of a part, as it is on the cluster."""
         from distributed import CancelledError
 
@@ -95,7 +95,7 @@ class Cluster:
             error = self._refused(allowed("cluster-lost"))
         except Exception as failed:
             error = self._refused(allowed("cluster-loads", why=_said(failed)))
-        if error is None and not isinstance(answer, Part):
+        if error is None and isinstance(answer, tuple):
             there, worker = answer
             error = self._refused(allowed("cluster-version", here=self.here, there=there, worker=worker))
         if found.set_running_or_notify_cancel():
@@ -251,8 +251,8 @@ def _version() -> Any:
 
 
 def _task() -> Any:
-    def part(here: str, packed: bytes, rows: list) -> Any:
-        """A Part; or, if the library is of another version, that and where it is."""
+    def part(here: str, packed: bytes, rows: Any) -> Any:
+        """A Part, or a Receipt; or, if the library is of another version, that and where it is."""
         from solvers.provenance import version
 
         if version() != here:
@@ -266,7 +266,7 @@ def _task() -> Any:
     return part
 
 
-def solved_here(packed: bytes, rows: list) -> Part:
+def solved_here(packed: bytes, rows: Any) -> Any:
     """One part, in a worker."""
     _ready()
     return pickle.loads(packed)(rows)

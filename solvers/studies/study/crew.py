@@ -9,13 +9,14 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from typing import Protocol
+from typing import Any, Protocol
 
 from threadpoolctl import threadpool_limits
 
 from ...text.notes import Note, Severity
 from .design import Design
-from .work import Part, Work, crashed, joined
+from .parts import InPieces, Receipt
+from .work import Part, Span, Work, crashed, joined
 
 SECONDS = 0.5  # that a part is to take
 LARGEST = 20_000  # points of a part
@@ -23,8 +24,6 @@ GROWTH = 8  # from a part to the next, at most
 AHEAD = 2  # parts for each worker that are under way
 LOOK = 0.2  # s between looks at whether it is cancelled
 PARENT = 1.0  # s between looks at whether there still is one
-
-Span = tuple[int, int]  # of points, from the first up to the second
 
 
 class Crew(Protocol):
@@ -40,8 +39,8 @@ class Crew(Protocol):
         """How many parts are solved side by side."""
         ...
 
-    def submit(self, work: Work, rows: list) -> "Future[Part]":
-        """Begin one part."""
+    def submit(self, work: Callable[..., Any], rows: Any) -> "Future[Any]":
+        """Begin one part: of `work`, or whatever is called with `rows`, which another process can load."""
         ...
 
     def renew(self) -> None:
@@ -71,7 +70,7 @@ class Processes:
         context = multiprocessing.get_context("fork" if sys.platform == "linux" else None)
         return ProcessPoolExecutor(workers, context, _begin, (os.getpid(),))
 
-    def submit(self, work: Work, rows: list) -> "Future[Part]":
+    def submit(self, work: Callable[..., Any], rows: Any) -> "Future[Any]":
         """Begin one part."""
         return self.pool.submit(work, rows)
 
@@ -98,9 +97,9 @@ class Here:
     broken: tuple[type[BaseException], ...] = ()
     workers = 1
 
-    def submit(self, work: Work, rows: list) -> "Future[Part]":
+    def submit(self, work: Callable[..., Any], rows: Any) -> "Future[Any]":
         """It is done at once."""
-        done: Future[Part] = Future()
+        done: Future[Any] = Future()
         done.set_result(work(rows))
         return done
 
@@ -133,19 +132,20 @@ def _begin(parent: int) -> None:
 
 
 class Spans:
-    """What is left to do, in pieces of the size that is asked for."""
+    """What is left to do, in pieces of about the size that is asked for, cut as `form` says."""
 
-    def __init__(self, left: Iterable[Span]):
-        self.left = list(left)[::-1]
+    def __init__(self, left: Iterable[Span], form: InPieces | None = None):
+        self.left, self.form = list(left)[::-1], form or InPieces()
 
     def take(self, size: int) -> Span | None:
-        """The next, of at most so many points."""
+        """The next, of so many points as it may have."""
         if not self.left:
             return None
         start, stop = self.left.pop()
-        if stop - start > size:
-            self.left.append((start + size, stop))
-            stop = start + size
+        end = self.form.end_of(start, size)
+        if stop > end:
+            self.left.append((end, stop))
+            stop = end
         return start, stop
 
     def give_back(self, span: Span) -> None:
@@ -154,20 +154,20 @@ class Spans:
 
 
 def solved(
-    work: Work, design: Design, left: Iterable[Span], crew: Crew, cancelled: Callable[[], bool]
-) -> Iterator[tuple[Span, Part]]:
+    work: Work, design: Design, left: Iterable[Span], crew: Crew, cancelled: Callable[[], bool], form: InPieces
+) -> Iterator[tuple[Span, Part | Receipt]]:
     """Each part as it is done. The first is one point, alone: what must be compiled is compiled once.
 
     Once it is cancelled, what has not begun is not solved, nor what a cluster can leave off.
     """
-    spans, size, running = Spans(left), 1, {}
+    spans, size, running = Spans(left, form), 1, {}
     most = 1
     while True:
         while len(running) < most and not cancelled():
             span = spans.take(size)
             if span is None:
                 break
-            running[crew.submit(work, design.rows(*span))] = span
+            running[crew.submit(*form.task(work, design, span))] = span
         if cancelled():
             running = {future: span for future, span in running.items() if not future.cancel()}
         if not running:

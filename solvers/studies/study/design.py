@@ -16,6 +16,8 @@ from .axes import Axis, axes_of
 SAMPLES = ("grid", "random", "lhs", "sobol")
 PAIRED = "saltelli"  # two samples, and those between them: see `paired_design`
 MOST_POINTS = 10_000_000  # whose figures are held all at once, in some 2 GB
+MOST_STORED = 10_000_000_000  # that nobody holds at once
+BULK = 50_000  # points a second that a processor solves where it is quickest
 USUAL_DRAWN = 1_000
 LEAST_PAIRED = 8  # of which there is something to estimate
 
@@ -81,8 +83,11 @@ class Design:
         }
 
 
-def design_of(scene: Scene, vary: Mapping[Any, Any], sample: str | None, points: int | None, seed: int) -> Design:
-    """Of `study`'s arguments. Raises SceneError for those that do not fit together, or give too many points."""
+def design_of(
+    scene: Scene, vary: Mapping[Any, Any], sample: str | None, points: int | None, seed: int, stored: bool = False
+) -> Design:
+    """Of `study`'s arguments. Raises SceneError for those that do not fit together, or give too many points: more than
+    can be held, or on a grid that is `stored` by region, than can be written."""
     seed = validation.whole_number("seed", seed, 0, 2**32 - 1)
     sample = validation.choice("sample", sample or ("grid" if points is None else "lhs"), SAMPLES)
     axes = axes_of(scene, vary, sample != "grid")
@@ -95,8 +100,13 @@ def design_of(scene: Scene, vary: Mapping[Any, Any], sample: str | None, points:
     if drawn is not None and drawn.law is not None:
         raise SceneError(drawn.name, drawn.law.text, allowed("drawn-samples", options=list(SAMPLES[1:])))
     size = math.prod(len(axis.rows) for axis in axes)
-    if size > MOST_POINTS:
-        raise SceneError("vary", f"{size:.3g} points", allowed("study-points", most=MOST_POINTS))
+    if size > (MOST_STORED if stored else MOST_POINTS):
+        cost = {"terabytes": 8e-12 * size, "days": size / BULK / 86_400.0}
+        reason = allowed("study-points", most=MOST_POINTS, stored=MOST_STORED, **cost)
+        raise SceneError("vary", f"{size:.3g} points", reason)
+    longest = max(axes, key=lambda axis: len(axis.rows))
+    if len(longest.rows) > MOST_POINTS:
+        raise SceneError(longest.name, f"{len(longest.rows):.3g} values", allowed("study-axis", most=MOST_POINTS))
     return Design(axes, sample, size)
 
 

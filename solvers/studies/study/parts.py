@@ -3,8 +3,9 @@
 import json
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
@@ -12,8 +13,8 @@ from zipfile import BadZipFile
 import numpy as np
 
 from ...validation import SceneError, allowed
-from .crew import Span
-from .work import Part
+from .design import Design
+from .work import Part, Span, Work
 
 ABOUT = "about.json"
 NAME = "{:012d}-{:012d}.npz"  # first point, and the first after it
@@ -21,11 +22,36 @@ SPAN = re.compile(r"\d{12}-\d{12}", re.ASCII)
 ARRAYS = ("figures", "refused", "reason", "notes")
 
 
-class Parts:
+@dataclass(frozen=True)
+class Receipt:
+    """Instead of a part, from a process that has written it where it is to stay."""
+
+    size: int
+    said: dict[str, str] = field(default_factory=dict)  # as a Part has it
+    seconds: float = 0.0
+
+
+class InPieces:
+    """How a study is cut: in parts of any size, which come back to the process that calls."""
+
+    def task(self, work: Work, design: Design, span: Span) -> tuple[Callable[..., Any], Any]:
+        """What is to be called to solve a part, and with what."""
+        return work, design.rows(*span)
+
+    def end_of(self, point: int, size: int) -> int:
+        """Where a part of some `size` ends that begins at a point."""
+        return point + size
+
+
+class Parts(InPieces):
     """Those of one study. Each is a file of its own, which is there wholly or not at all."""
 
     def __init__(self, folder: Path):
         self.folder = folder
+
+    def path(self, span: Span) -> Path:
+        """Of the file of a part."""
+        return self.folder / NAME.format(*span)
 
     def begin(self, about: Mapping[str, Any], resume: bool) -> None:
         """Raises SceneError where parts of another study are there, or of this one, which is not to go on."""
@@ -46,9 +72,9 @@ class Parts:
         written.write_text(json.dumps(about), "utf-8")
         written.replace(known)
 
-    def keep(self, span: Span, part: Part) -> None:
+    def keep(self, span: Span, part: Any) -> None:
         """Raises OSError where nothing can be written."""
-        path = self.folder / NAME.format(*span)
+        path = self.path(span)
         written = path.with_suffix(f".{os.getpid()}")
         try:
             with written.open("wb") as file:
@@ -67,13 +93,16 @@ class Parts:
     def read(self) -> Iterator[tuple[Span, Part]]:
         """All that are there, one at a time."""
         for span in self.spans():
-            path = self.folder / NAME.format(*span)
-            try:
-                with np.load(path) as found:
-                    part = Part(*(found[name] for name in ARRAYS), said=dict(found["said"].tolist()))
-            except (ValueError, KeyError, EOFError, BadZipFile):
-                raise SceneError("resume", str(path), allowed("whole-part")) from None
-            yield span, part
+            yield span, self.read_one(span)
+
+    def read_one(self, span: Span) -> Part:
+        """Raises SceneError for a file that is damaged."""
+        path = self.path(span)
+        try:
+            with np.load(path) as found:
+                return Part(*(found[name] for name in ARRAYS), said=dict(found["said"].tolist()))
+        except (ValueError, KeyError, EOFError, BadZipFile):
+            raise SceneError("resume", str(path), allowed("whole-part")) from None
 
     def end(self) -> None:
         """All is in its file now. What is of somebody else stays."""
@@ -84,7 +113,7 @@ class Parts:
             self.folder.rmdir()
 
 
-class Held:
+class Held(InPieces):
     """The same in memory, for a study without a file."""
 
     def __init__(self):

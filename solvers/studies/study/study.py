@@ -76,16 +76,17 @@ def study(
     `out`: a file .nc, .zarr, .parquet or .csv; what is done is kept beside it in `OUT.parts`, from where it goes on
     with `resume`. `workers`: processes, one on each processor unless it says otherwise; or `cluster`: of Dask,
     "tcp://HOST:PORT", "local:N" or a `distributed.Client`. No result hangs on who solves it. `cancelled()` true: what
-    is left is refused as "not-solved". At most 1e7 points. Raises SceneError naming what cannot be: ranges, files of
-    another study, clusters; OSError where nothing can be written; ImportError without the extra `notebook`.
+    is left is refused as "not-solved". At most 1e7 points; of a grid in .zarr, which is written by region as it is
+    solved and beyond 1e6 points read as it is asked for, 1e10. Raises SceneError naming what cannot be: ranges, files
+    of another study, clusters; OSError where nothing can be written; ImportError without the extra `notebook`.
     """
     from ...notebook import datasets  # loads xarray, which nothing else here needs
 
     scene = scene_of(scene)
-    design = design_of(scene, vary, sample, points, seed)
+    path = None if out is None else file_of(out)
+    design = design_of(scene, vary, sample, points, seed, path is not None and path.suffix == ".zarr")
     names = asked_for(figures)
     work = Work(scene, design.keys, names, method, notes)
-    path = None if out is None else file_of(out)
     if resume and path is None:
         raise SceneError("resume", True, allowed("with-file"))
     none_allowed(work, design)
@@ -95,15 +96,48 @@ def study(
         if progress is not None:
             progress(Progress(design.size, design.size, design.size, 0.0))
         return datasets.read_study(path)
-    parts = Held() if path is None else Parts(path.with_name(f"{path.name}.parts"))
+    parts = _parts(work, design, about, path)
     with closing(crew()) as solving:
         parts.begin(about, resume)
         _finish(work, design, parts, solving, cancelled, progress)
+    return _written(work, design, parts, about, path)
+
+
+def _written(work: Work, design: Design, parts: Any, about: dict[str, Any], path: Path | None) -> Any:
+    """The Dataset of all that is there; in its file, if there is one, once it is whole."""
+    from ...notebook import datasets
+
+    whole = not left_of(design.size, parts.spans())
+    if path is not None and path.suffix == ".zarr":
+        return datasets.held_study(parts.finish(path, whole))
     found = _dataset(work, design, parts, about)
-    if path is not None and not left_of(design.size, parts.spans()):
+    if path is not None and whole:
         datasets.write_study(found, path)
         parts.end()
     return found
+
+
+def _parts(work: Work, design: Design, about: dict[str, Any], path: Path | None) -> Any:
+    """Where what is done is kept: in memory, in files beside the one that all will be in, or in that itself."""
+    if path is None:
+        return Held()
+    folder = path.with_name(f"{path.name}.parts")
+    if path.suffix != ".zarr":
+        return Parts(folder)
+    from ...notebook.datasets import begin_store
+    from .stored import Regions
+
+    kinds, units = _units(work, design)
+
+    def create(store: Path, blocks: Any) -> None:
+        begin_store(store, design, blocks, kinds, units, about)
+
+    return Regions(folder, work, design, create)
+
+
+def _units(work: Work, design: Design) -> tuple[dict[str, str], dict[str, str]]:
+    """Of figures, and of keys, by name."""
+    return {name: FIGURES[name][0] for name in work.figures}, {key: unit_of(work.scene, key) for key in design.keys}
 
 
 def none_allowed(work: Work, design: Design) -> None:
@@ -137,15 +171,13 @@ def points_of(work: Work, design: Design, workers: int, progress: Callable[[Prog
 def _dataset(work: Work, design: Design, parts: Parts | Held, about: dict[str, Any]) -> Any:
     from ...notebook import datasets
 
-    units = {key: unit_of(work.scene, key) for key in design.keys}
-    kinds = {name: FIGURES[name][0] for name in work.figures}
-    return datasets.study(design, parts.read(), kinds, units, about)
+    return datasets.study(design, parts.read(), *_units(work, design), about)
 
 
 def _finish(
     work: Work,
     design: Design,
-    parts: Parts | Held,
+    parts: Any,
     crew: Crew,
     cancelled: Callable[[], bool],
     progress: Callable[[Progress], Any] | None,
@@ -159,7 +191,7 @@ def _finish(
             progress(Progress(done, resumed, design.size, time.perf_counter() - begun))
 
     report()
-    for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled):
+    for (start, stop), part in solved(work, design, left_of(design.size, there), crew, cancelled, parts):
         parts.keep((start, stop), part)
         done += stop - start
         report()

@@ -20,6 +20,8 @@ from . import rigid_bulk
 
 FAILED, CRASHED = "failed", "crashed"  # beside the codes of refusals
 
+Span = tuple[int, int]  # of points, from the first up to the second
+
 
 @dataclass(frozen=True)
 class Part:
