@@ -14,7 +14,7 @@ from ..solution.solution import Solution
 from ..solve import read_method
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
-from .figures import FIGURES
+from .figures import FIGURES, only_for
 
 Point = tuple[float, ...]  # a value for each key
 
@@ -75,10 +75,9 @@ class Answers:
         return self.contacts.get(point, -1)
 
     def _solved(self, point: Point) -> Solution:
-        """Without the estimate of the error, which costs as much again, unless it is what is asked for."""
         changed, method, duration = self._asked(point)
         self.name = method.NAME
-        return (method if self.figure == "estimated_error" else method.without_estimate()).solve(changed, duration)
+        return only_for(method, [self.figure]).solve(changed, duration)
 
     def _asked(self, point: Point) -> tuple[Scene, Method, float | None]:
         changed = self.scene.replace(dict(zip(self.keys, point, strict=True)))

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from .. import validation
+from ..methods.base import Method
 from ..solution.peaks import PEAKS
 from ..solution.solution import Solution
 from ..validation import SceneError, allowed
@@ -190,3 +191,8 @@ def asked_for(figures: Sequence[str] | None) -> tuple[str, ...]:
 def figures_of(solution: Solution, names: Sequence[str]) -> list[float | None]:
     """Of one solution; nothing else of it is worked out."""
     return [FIGURES[name][1](solution) for name in names]
+
+
+def only_for(method: Method, names: Sequence[str]) -> Method:
+    """The method without what none of these figures needs; its solutions show nothing else."""
+    return method.for_figures(not LOOKED_FOR.keys().isdisjoint(names), "estimated_error" in names)

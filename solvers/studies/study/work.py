@@ -14,7 +14,7 @@ from ...solution.solution import Solution
 from ...solve import chosen_method
 from ...text.notes import Severity
 from ...validation import SceneError, allowed
-from ..figures import LOOKED_FOR, figures_of
+from ..figures import figures_of, only_for
 from ..varied import columns_of
 from . import rigid_bulk
 
@@ -122,7 +122,7 @@ class Work:
 
     def _solve(self, row: tuple[Any, ...]) -> Solution:
         scene, method, duration = self.read(row)
-        return (method if self.notes else _for(self.figures, method)).solve_in_full(scene, duration)
+        return (method if self.notes else only_for(method, self.figures)).solve_in_full(scene, duration)
 
 
 def each(
@@ -139,15 +139,10 @@ def each(
         if scene is not scenes[0] and cancelled():
             return None
         chosen, duration = chosen_method(scene, method)
-        return figures_of(_for(figures, chosen).solve_in_full(scene, duration), figures)
+        return figures_of(only_for(chosen, figures).solve_in_full(scene, duration), figures)
 
     with all_processors(workers) as pool:
         return list(pool.map(solve, scenes))
-
-
-def _for(figures: Sequence[str], method: Method) -> Method:
-    """The method without what none of these figures needs."""
-    return method.for_figures(not LOOKED_FOR.keys().isdisjoint(figures), "estimated_error" in figures)
 
 
 def _read(tables: Mapping[str, Any], *others: Any) -> Work:
