@@ -1,6 +1,7 @@
 """Pictures as PNG and SVG, which HoloViews draws by Matplotlib: in figures of their own, so that no window opens."""
 
 import math
+import warnings
 from io import BytesIO
 from typing import Any
 
@@ -11,7 +12,9 @@ from .plots import draw_with_bokeh, hv
 try:
     import matplotlib
     from matplotlib import pyplot
+    from matplotlib.axis import Tick
     from matplotlib.figure import Figure
+    from matplotlib.text import Text
 except ImportError as missing:
     raise ImportError("PNG and SVG need matplotlib: pip install 'strikewave[plot]'") from missing
 
@@ -37,6 +40,7 @@ def picture(drawn: Any, ending: str) -> bytes:
     try:
         with matplotlib.rc_context({"svg.hashsalt": "strikewave", "axes.formatter.useoffset": False}):
             figure = _figure(drawn)
+            _as_written(figure)
             for axes in figure.axes:
                 for heavy in axes.collections:
                     values = heavy.get_array()
@@ -46,7 +50,9 @@ def picture(drawn: Any, ending: str) -> bytes:
             metadata = {"Date": None} if form == "svg" else {"Software": None}
             written = BytesIO()
             look = {"dpi": DOTS, "bbox_inches": "tight", "pad_inches": 0.15, "facecolor": "white"}
-            figure.savefig(written, format=form, metadata=metadata, **look)
+            with warnings.catch_warnings():
+                warnings.filterwarnings("ignore", "Glyph", UserWarning)  # signs that no font has stand as boxes
+                figure.savefig(written, format=form, metadata=metadata, **look)
     finally:
         if interactive:
             pyplot.ion()  # which HoloViews switches off
@@ -76,6 +82,15 @@ def _figure(drawn: Any) -> Figure:
             legend.set_loc("upper right")
             legend.set_bbox_to_anchor((1.0, -LOWER / high), transform=axes.transAxes)
     return figure
+
+
+def _as_written(figure: Figure) -> None:
+    """Titles, labels and legends have their words, whatever stands between two dollars: no formulas. Numbers on axes
+    of powers are formulas of Matplotlib's own."""
+    numbers = {id(text) for tick in figure.findobj(Tick) for text in tick.findobj(Text)}
+    for text in figure.findobj(Text):
+        if id(text) not in numbers:
+            text.set_parse_math(False)
 
 
 def _inches(part: Any) -> tuple[float, float]:

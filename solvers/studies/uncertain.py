@@ -2,6 +2,7 @@
 
 import math
 import time
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -195,7 +196,8 @@ def _outcome(
         return Outcome(unit, 0, math.nan, math.nan, nothing, math.nan, math.nan, None)
     mean, deviation = float(both.mean()), float(both.std())
     same = deviation <= LEAST_VARIED * float(np.abs(both).max())
-    quantiles = dict(zip(QUANTILES, np.percentile(both, QUANTILES).tolist(), strict=True))
+    whole = "nearest" if (both == np.rint(both)).all() else "linear"  # of contacts there are no 4.7
+    quantiles = dict(zip(QUANTILES, np.percentile(both, QUANTILES, method=whole).tolist(), strict=True))
     shares = None
     if not same and 2 * samples >= answered.size:
         kept = [None if column is None else column[:, there].ravel() for column in columns]
@@ -224,10 +226,12 @@ def _shares(values: np.ndarray, elasticities: Sequence[float], seed: int) -> lis
     def of(samples: np.ndarray, axis: int) -> np.ndarray:
         return indices(values[:, samples])
 
-    drawn = stats.bootstrap(
-        (np.arange(values.shape[1]),), of, n_resamples=RESAMPLES, batch=BATCH, vectorized=True,
-        confidence_level=LEVEL, method="percentile", rng=seed,
-    )  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", stats.DegenerateDataWarning)  # of an input that does not matter at all
+        drawn = stats.bootstrap(
+            (np.arange(values.shape[1]),), of, n_resamples=RESAMPLES, batch=BATCH, vectorized=True,
+            confidence_level=LEVEL, method="percentile", rng=seed,
+        )  # fmt: skip
     lower, upper = drawn.confidence_interval
     (first, total), (low, low_total), (high, high_total) = indices(values).tolist(), lower.tolist(), upper.tolist()
     alone, whole = zip(low, high, strict=True), zip(low_total, high_total, strict=True)

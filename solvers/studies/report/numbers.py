@@ -20,6 +20,7 @@ USUAL = (
 )  # fmt: skip
 REFINED = ("modes", "elements", "steps")  # options of which twice as many are finer
 LOOKED = 1e-3  # of a largest value over place and time: how closely it is looked for, see `Solution.peaks`
+SAME_MOMENTUM = 1e-6  # of the impulse: the momentum that it changes is the same but for rounding
 FINER_TOLERANCE, LEAST_TOLERANCE = 1e-2, 1e-13  # of waves: so much of the own one; the least that they take
 FORCES = ("peak_force", "peak_acceleration")  # which ripples behind a front make wrong, however many modes there are
 INSIDE = ("peak_stress", "peak_tension", "peak_moment", "peak_support_force")
@@ -105,12 +106,21 @@ def _error(solution: Solution, name: str, value: Any, beside: Any) -> float | No
 def _carried(solution: Solution, name: str, estimate: float | None) -> float | None:
     """What the estimate for the velocity of the impactor means for a figure that follows from it, where it does."""
     scene = solution.scene
-    if estimate is None or scene.normal is not None or scene.prescribed_force or not scene.impactor.free_mass:
+    if estimate is None or scene.normal is not None or scene.prescribed_force:
+        return None
+    if not (scene.impactor.free_mass or _moves_as_one_mass(solution)):
         return None
     speed = estimate * scene.meeting_speed
     moved = 0.0 if scene.target.held else 1.0 / scene.mass_ratio  # of the target, for one of the impactor
     follows = {"newton": (1.0 + moved) * estimate, "impulse": scene.impactor.mass * speed}
     return (follows | {"target_velocity": moved * speed}).get(name)
+
+
+def _moves_as_one_mass(solution: Solution) -> bool:
+    """Whether the impulse is the change of the impactor's momentum, as of a free body that rings."""
+    impactor = solution.scene.impactor
+    changed = impactor.mass * (impactor.velocity - solution.impactor_velocity)
+    return abs(changed - solution.impulse) <= SAME_MOMENTUM * abs(solution.impulse)
 
 
 def finer_solution(solution: Solution) -> Finer | None:

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from html import unescape
 from xml.etree import ElementTree
 
 import holoviews as hv
@@ -124,3 +125,17 @@ def test_refusals(found, tmp_path):
     with pytest.raises(SceneError, match="figure: got 'heat'"):
         plot_study(found, "heat", out=tmp_path / "map.svg")
     assert not (tmp_path / "map.svg").exists()
+
+
+TITLES = ["from $5 to $6", "$x^2_$ and $\\frac{$", "<b>&' \\n {0} %s", "\U0001f528 \u202e\u0645 \u6f22"]
+KINDS = ["map", "curves", "points", "parallel", "matrix", "bars"]
+
+
+@pytest.mark.parametrize(
+    ("title", "kind"), [*((title, "map") for title in TITLES), *((TITLES[1], kind) for kind in KINDS[1:])]
+)
+def test_titles_stand_as_they_are_written(found, tmp_path, title, kind, recwarn):
+    scene = f"title = '''{title}'''\n" + found.attrs["scene"].split("\n", 1)[1]
+    plot_study(found.assign_attrs(scene=scene), "peak_force", kind=kind, out=tmp_path / "it.svg")
+    assert any(unescape(each).startswith(title.split(" and")[0]) for each in words(tmp_path / "it.svg"))
+    assert not [each for each in recwarn if "Glyph" in str(each.message)]

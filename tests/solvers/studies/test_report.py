@@ -143,6 +143,23 @@ def test_an_error_is_that_of_twice_the_modes(of_hammer):
     assert velocity.error == of_hammer.solution.diagnostics["estimated_error"] * of_hammer.scene.speed
 
 
+@pytest.mark.parametrize("impactor", [
+    {"kind": "rod", "length": 0.3, "section": {"radius": 0.01}},
+    {"kind": "beam", "length": 0.3, "section": {"width": 0.02, "height": 0.01}, "at": 0.5},
+    {"kind": "beam", "length": 0.3, "section": {"width": 0.02, "height": 0.01}, "at": 1.0},
+    {"kind": "mass", "mass": 0.5},
+])  # fmt: skip
+def test_impulse_and_restitution_are_as_uncertain_as_the_velocity_they_follow_from(impactor):
+    tables = solvers.load("docs/hammer.toml").table()
+    steel = {} if impactor["kind"] == "mass" else {"material": "steel"}
+    found = solvers.report(solvers.Scene.from_table(tables | {"impactor": impactor | steel | {"velocity": 1.0}}))
+    errors = {each.name: each.error for each in found.numbers}
+    velocity, mass = errors["impactor_velocity"], found.scene.impactor.mass
+    assert velocity > 0.0
+    assert errors["impulse"] >= mass * velocity * (1.0 - 1e-9)
+    assert errors["newton"] >= velocity * (1.0 - 1e-9)  # at 1 m/s
+
+
 def test_what_no_solution_is_finer_than_has_no_error_and_says_so():
     report = solvers.report("drop-test")
     assert {each.error for each in report.numbers} == {None}

@@ -90,6 +90,21 @@ def test_a_figure_that_does_not_vary_has_no_indices():
         json.dumps(found.table(), allow_nan=False)
 
 
+def test_numbers_of_contacts_are_whole():
+    found = uncertain("fixed-rod", {"impactor.mass": "30%", "impactor.velocity": "5%"}, ["contacts"], 32, workers=1)
+    counts = found.figures["contacts"]
+    assert counts.deviation > 0.0
+    assert all(each == round(each) for each in counts.quantiles.values())
+
+
+def test_whole_inputs_that_are_drawn_the_same_are_no_warning():
+    hammer = "docs/hammer.toml"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = uncertain(hammer, {"method.modes": "1%", "impactor.mass": "5%"}, ["peak_force"], 8, workers=1)
+    assert found.figures["peak_force"].shares["method.modes"].total == 0.0
+
+
 def test_one_input_makes_all_of_it():
     (share,) = (
         uncertain(SPRING, {"impactor.mass": "5%"}, ["peak_force"], 64, workers=1).figures["peak_force"].shares.values()
