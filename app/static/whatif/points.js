@@ -1,0 +1,115 @@
+// Where the impacts of a map come from: the browser's own kernels, which other threads ask, or the server. What is to be
+// found next is asked for only when one of them is free, so that the newest wish is always next.
+import { columnsOf } from '../wasm/columns.js';
+import { Pool } from './pool.js';
+import { Served } from './server.js';
+
+/** @import { Chosen, Frame } from '../messages.js' */
+/** @import { Page } from '../page.js' */
+
+/**
+ * @typedef {object} Job
+ * @property {Record<string, any>} chosen  the other choices
+ * @property {Float64Array} rows  of values of the axes
+ * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>) => void} done
+ */
+/**
+ * @typedef {object} Source
+ * @property {() => Promise<boolean>} prepare
+ * @property {(frame: Frame, names: string[]) => boolean} covers
+ * @property {(frame: Frame, names: string[]) => void} scene
+ * @property {() => void} feed
+ * @property {boolean} idle
+ * @property {() => void} leave
+ */
+
+const QUICK = 3; // ms for an impact, above which it takes long
+
+export class Points {
+  /** @type {Source | null} */ source = null; // of what is shown
+  /** @type {Frame | null} */ base = null; // that its impacts are made from
+  /** @type {string[]} */ names = []; // that vary
+  spent = 0.3; // ms for an impact
+  solved = 0;
+  ready = false;
+
+  /**
+   * @param {Page} page
+   * @param {() => Job | null} next
+   */
+  constructor(page, next) {
+    this.page = page;
+    const counted = () => this.#counted(next());
+    this.own = new Pool(counted);
+    this.served = new Served(page, counted);
+    /** @type {Source[]} */ this.sources = [];
+  }
+  async prepare() {
+    const all = [this.own, this.served];
+    const there = await Promise.all(all.map((each) => each.prepare()));
+    this.sources = all.filter((_, k) => there[k]);
+    this.ready = true;
+  }
+  /**
+   * @param {Job | null} job
+   * @returns {Job | null}
+   */
+  #counted(job) {
+    if (!job) return null;
+    const count = job.rows.length / this.names.length;
+    return {
+      ...job,
+      done: (found, spent, why) => {
+        if (found) {
+          this.spent += 0.2 * (spent / count - this.spent);
+          this.solved += count;
+        }
+        job.done(found, spent, why);
+      },
+    };
+  }
+  /** Whether an impact is found in a moment. */
+  get quick() {
+    return this.source === this.own && this.spent < QUICK;
+  }
+  /**
+   * What the next are about: the scene as it is chosen, over these choices. Whether they can be found.
+   * @param {Chosen} chosen
+   * @param {string[]} names
+   */
+  about(chosen, names) {
+    const { latest } = this.page.changes;
+    const bases = [...(this.base ? [this.base] : []), latest, ...(this.page.own.whole ? [this.page.own.whole] : [])];
+    const changed = (/** @type {Frame} */ frame) =>
+      Object.keys(chosen).filter((name) => !Object.is(frame.chosen[name], chosen[name]));
+    const same = (/** @type {Frame} */ frame) =>
+      frame.chosen.scene === chosen.scene && frame.chosen.bodies === chosen.bodies;
+    for (const source of this.sources)
+      for (const base of bases)
+        if (same(base) && source.covers(base, [...new Set([...names, ...changed(base)])])) {
+          if (source !== this.source || base !== this.base || names.join() !== this.names.join()) {
+            if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
+            Object.assign(this, { source, base, names });
+            source.scene(base, names);
+          }
+          return true;
+        }
+    this.source = null;
+    return false;
+  }
+  feed() {
+    this.source?.feed();
+  }
+  leave() {
+    for (const each of this.sources) each.leave();
+    this.source = this.base = null;
+    this.sources = [];
+  }
+  /**
+   * What the page itself has found of the scene; nothing where its answer does not say it.
+   * @param {Frame} frame
+   */
+  static here(frame) {
+    return columnsOf(frame);
+  }
+}
