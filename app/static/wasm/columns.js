@@ -1,5 +1,6 @@
-// What is found of each of many impacts: names as in solvers/studies/figures.py; `vibration` and `dissipated` are shares
-// of the energy at first. In SI units, NaN where there is none; a `status` other than 0 says that there are none at all.
+// What is found of each of many impacts: names as in solvers/studies/figures.py; `vibration` and `dissipated` are
+// shares of the energy at first. In SI units, NaN where there is none; a `status` other than 0 says that there are
+// none at all.
 
 /** @import { AxialFrame, BeamFrame, Frame } from '../messages.js' */
 

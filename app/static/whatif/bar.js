@@ -20,7 +20,7 @@ const [GAP, WIDE, WORDS] = [22, 12, 60]; // pixels from the plot, of the bar, of
 export function tickOf(result, level, domain) {
   const { log } = shownOf(result);
   const real = (/** @type {number} */ value) => (log ? 10 ** value : value);
-  const [factor] = unitFor(result, Math.max(...domain.map((each) => Math.abs(real(each)))));
+  const [factor] = unitFor(result, domain);
   return plain(real(level) * factor);
 }
 
@@ -55,7 +55,7 @@ export class Bar {
       word(c, tickOf(result, level, domain), x + WIDE + 8, y, { color: COLOR.soft, align: 'left' });
       last = y;
     }
-    const [, unit] = unitFor(result, Math.max(...domain.map((each) => Math.abs(log ? 10 ** each : each))));
+    const [, unit] = unitFor(result, domain);
     word(c, unit, x + WIDE + 8, plot.y - 14 * scale, { color: COLOR.soft, align: 'left' });
     if (Number.isFinite(value)) {
       disc(c, x + WIDE / 2, place(value), 5.5, COLOR.accent);

@@ -1,4 +1,5 @@
-// Colours of a map by what it shows: force, stress and energy as what is compressed, velocities as what moves, times grey.
+// Colours of a map by what it shows: force, stress and energy as what is compressed, velocities as what moves, times
+// grey.
 import { shownOf } from './results.js';
 
 /** @import { Result } from './results.js' */

@@ -1,5 +1,5 @@
-// Lines of equal value through a map, by marching squares over its pixels, not across a change in the number of contacts;
-// and the parts of it that have the same number.
+// Lines of equal value through a map, by marching squares over its pixels, not across a change in the number of
+// contacts; and the parts of it that have the same number.
 
 /** @import { Window } from './lattice.js' */
 /** @import { Raster } from './raster.js' */

@@ -1,6 +1,6 @@
-// What hands and keys do on a map: the point is dragged, a tap takes it there, the wheel goes closer, arrows move it; the
-// wanted value is set on the bar.
-import { placeOf, longOf, roundAt, usualRange, valueAt } from './places.js';
+// What hands and keys do on a map: the point is dragged, a tap takes it there, the wheel goes closer, arrows move it;
+// the wanted value is set on the bar.
+import { longOf, placeOf, roundAt, usualRange } from './places.js';
 import { shownOf } from './results.js';
 
 /** @import { Axis } from './axes.js' */

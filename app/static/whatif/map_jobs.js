@@ -15,6 +15,7 @@ export class MapJobs {
   /** @type {Window | null} */ view = null;
   /** @type {Point[][]} */ wanted = []; // by level
   coarse = false; // whether the first picture is not yet whole
+  /** @type {{ key: string, found: Float64Array | null }} */ own = { key: '', found: null };
   under = 0; // jobs that are under way
 
   /** @param {WhatIf} whatif */
@@ -44,8 +45,25 @@ export class MapJobs {
   next() {
     const { view } = this;
     if (!view) return null;
+    const first = this.#own(view) ?? this.whatif.goal.seek.next();
+    if (first) return first;
     while (this.wanted.length && !this.wanted[0].length) this.wanted.shift();
     return this.wanted.length ? this.#points(view) : this.#edges(view);
+  }
+  /**
+   * The scene itself, where the page's answer does not say all that is shown.
+   * @param {Window} view
+   * @returns {Job | null}
+   */
+  #own({ axes }) {
+    const { chosen } = this.whatif;
+    const key = JSON.stringify(chosen);
+    if (key === this.own.key) return null;
+    this.own.key = key;
+    const rows = Float64Array.of(this.whatif.value(axes.x), this.whatif.value(axes.y));
+    return this.#job(rows, (found) => {
+      if (found && !found[0]) this.own.found = found;
+    });
   }
   /** Impacts in the time of a job. */
   get #many() {
@@ -95,8 +113,10 @@ export class MapJobs {
    */
   #job(rows, take) {
     this.under += 1;
+    const { chosen, named } = this.whatif;
     return {
-      chosen: this.whatif.chosen,
+      chosen,
+      names: [named.x, named.y],
       rows,
       done: (found, _, why) => {
         this.under -= 1;

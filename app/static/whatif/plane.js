@@ -1,5 +1,5 @@
-// The map as it is drawn: colours, contours, lines where a contact is gained or lost, what is refused hatched, the axes;
-// above it, drawn anew with every movement, the bar of colours and the point of the scene.
+// The map as it is drawn: colours, contours, lines where a contact is gained or lost, what is refused hatched, the
+// axes; above it, drawn anew with every movement, the bar of colours and the point of the scene.
 import { cleared, letters, scale } from '../charts/canvas.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';

@@ -1,5 +1,5 @@
-// Where the impacts of a map come from: the browser's own kernels, which other threads ask, or the server. What is to be
-// found next is asked for only when one of them is free, so that the newest wish is always next.
+// Where the impacts of a map come from: the browser's own kernels, which other threads ask, or the server. What is to
+// be found next is asked for only when one of them is free, so that the newest wish is always next.
 import { columnsOf } from '../wasm/columns.js';
 import { Pool } from './pool.js';
 import { Served } from './server.js';
@@ -10,7 +10,8 @@ import { Served } from './server.js';
 /**
  * @typedef {object} Job
  * @property {Record<string, any>} chosen  the other choices
- * @property {Float64Array} rows  of values of the axes
+ * @property {string[]} names  of choices that its impacts differ by
+ * @property {Float64Array} rows  their values, impact by impact
  * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>) => void} done
  */
 /**
@@ -56,7 +57,12 @@ export class Points {
    */
   #counted(job) {
     if (!job) return null;
-    const count = job.rows.length / this.names.length;
+    const { names } = job;
+    const count = job.rows.length / names.length;
+    if (this.base && names.join() !== this.names.join()) {
+      this.names = names;
+      this.source?.scene(this.base, names);
+    }
     return {
       ...job,
       done: (found, spent, why) => {
@@ -73,7 +79,8 @@ export class Points {
     return this.source === this.own && this.spent < QUICK;
   }
   /**
-   * What the next are about: the scene as it is chosen, over these choices. Whether they can be found.
+   * What the next are about: the scene as it is chosen, over these choices, whether they can be found; over others they
+   * are if `covers` says so.
    * @param {Chosen} chosen
    * @param {string[]} names
    */
@@ -87,8 +94,8 @@ export class Points {
     for (const source of this.sources)
       for (const base of bases)
         if (same(base) && source.covers(base, [...new Set([...names, ...changed(base)])])) {
-          if (source !== this.source || base !== this.base || names.join() !== this.names.join()) {
-            if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
+          if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
+          if (source !== this.source || base !== this.base) {
             Object.assign(this, { source, base, names });
             source.scene(base, names);
           }
@@ -96,6 +103,10 @@ export class Points {
         }
     this.source = null;
     return false;
+  }
+  /** @param {string} name  Whether it can vary in what is asked for. */
+  covers(name) {
+    return Boolean(this.base && this.source?.covers(this.base, [name]));
   }
   feed() {
     this.source?.feed();

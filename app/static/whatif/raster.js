@@ -1,5 +1,5 @@
-// Colours of a map: values between four points of the lattice, never across a change in the number of contacts, where the
-// line that parts a cell says which side a pixel is on.
+// Colours of a map: values between four points of the lattice, never across a change in the number of contacts, where
+// the line that parts a cell says which side a pixel is on.
 
 /** @import { Window } from './lattice.js' */
 

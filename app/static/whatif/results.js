@@ -62,13 +62,14 @@ export function written(name, value) {
 }
 
 /**
- * A unit of a handy size for a scale that reaches so far, and how many of it one is.
+ * A unit of a handy size for a scale, and how many of it one is.
  * @param {Result} name
- * @param {number} most
+ * @param {[low: number, high: number]} domain  logarithms where the scale is
  * @returns {[factor: number, unit: string]}
  */
-export function unitFor(name, most) {
-  const { unit } = shownOf(name);
+export function unitFor(name, [low, high]) {
+  const { log, unit } = shownOf(name);
+  const most = log ? 10 ** ((low + high) / 2) : Math.max(Math.abs(low), Math.abs(high));
   if (unit === 's') return most < 2e-3 ? [1e6, 'µs'] : most < 2 ? [1e3, 'ms'] : [1, 's'];
   return unit === '%' || unit === 'm/s' || !unit ? [1, unit] : scaled(most, unit);
 }

@@ -6,7 +6,7 @@ import { titleOf } from './results.js';
 /** @import { Axis } from './axes.js' */
 /** @import { Result } from './results.js' */
 
-const SLOTS = { of: '\u0001', x: '\u0002', y: '\u0003' };
+const SLOTS = { of: '⟦of⟧', x: '⟦x⟧', y: '⟦y⟧' }; // stand for the choices
 
 /** @param {Axis} axis */
 const nameOf = ({ of, title }) => (of ? `${title}, ${of}` : title);
@@ -27,7 +27,7 @@ export class Sentence {
       y: select('y', text('whatif.upwards')),
     };
     this.root = make('h2', { className: 'whatif-sentence', tabIndex: -1 });
-    for (const piece of text('whatif.sentence', SLOTS).split(/([\u0001-\u0003])/)) {
+    for (const piece of text('whatif.sentence', SLOTS).split(/(⟦\w+⟧)/)) {
       const slot = /** @type {'of' | 'x' | 'y' | undefined} */ (
         Object.entries(SLOTS).find(([, sign]) => sign === piece)?.[0]
       );
@@ -38,9 +38,15 @@ export class Sentence {
    * @param {{ results: Result[], axes: Axis[], of: Result, x: Axis, y: Axis }} shown
    */
   show({ axes, of, results, x, y }) {
-    this.#list(this.choices.of, results.map((name) => [name, titleOf(name)]), of); // prettier-ignore
-    for (const [slot, axis, other] of /** @type {const} */ ([['x', x, y], ['y', y, x]])) // prettier-ignore
-      this.#list(this.choices[slot], axes.filter((each) => each !== other).map((each) => [each.name, nameOf(each)]), axis.name); // prettier-ignore
+    this.#list(
+      this.choices.of,
+      results.map((name) => [name, titleOf(name)]),
+      of,
+    );
+    const all = (/** @type {Axis} */ other) =>
+      axes.filter((each) => each !== other).map((each) => [each.name, nameOf(each)]);
+    this.#list(this.choices.x, all(y), x.name);
+    this.#list(this.choices.y, all(x), y.name);
   }
   /**
    * @param {HTMLSelectElement} select

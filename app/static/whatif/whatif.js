@@ -4,13 +4,14 @@ import { make, segments, write } from '../browser/dom.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { axesOf } from './axes.js';
+import { Goal } from './goal.js';
 import { Hands } from './hands.js';
 import { Lattice, Window } from './lattice.js';
 import { MapJobs } from './map_jobs.js';
 import { Plane } from './plane.js';
 import { placeOf, usualRange } from './places.js';
 import { Points } from './points.js';
-import { NAMES, RESULTS, WIDTH, shownOf, valueOf } from './results.js';
+import { NAMES, shownOf, valueOf } from './results.js';
 import { Sentence } from './sentence.js';
 import { Tiles, domainOf } from './tiles.js';
 
@@ -24,6 +25,8 @@ const KEPT = 16; // lattices
 const FIRST = ['mass_ratio', 'speed']; // axes where nobody has chosen any, after what sets how stiff the contact is
 const STREAM = 100; // ms between pictures of what comes in while nothing is held
 const TILES = 250; // ms between those of the small maps
+const OFTEN_NONE = ['target_velocity', 'dissipated']; // as where it is held, or nothing is lost
+const LEAST = 1e-9;
 const OFF = 0.12; // of a scale, that the values may be off by before it follows
 
 export class WhatIf {
@@ -56,14 +59,16 @@ export class WhatIf {
     this.points = new Points(page, () => (this.open ? this.jobs.next() : null));
     this.sentence = new Sentence((slot, name) => this.choose(slot, name));
     this.plane = new Plane();
+    this.goal = new Goal(this);
     this.tiles = new Tiles((result) => this.choose('of', result));
     this.status = make('p', { className: 'whatif-status', role: 'status' });
     this.words = make('p', { className: 'whatif-said', ariaLive: 'polite' });
     this.modes = segments(text('whatif.view'), ['map'], () => {}, () => text('whatif.map')); // prettier-ignore
-    this.back = make('button', { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close }); // prettier-ignore
+    const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
+    this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
     this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.back);
-    this.side = make('div', { className: 'whatif-side' }, this.words, this.tiles.root, this.status);
+    this.side = make('div', { className: 'whatif-side' }, this.words, this.tiles.root, this.goal.root, this.status);
     this.parts = [this.head, this.plane.root, this.side];
     this.hands = new Hands(this);
   }
@@ -222,6 +227,8 @@ export class WhatIf {
     this.#scale();
     if (this.domain) plane.draw(this.view, this.result, this.domain, this.wanted[this.result] ?? null, this.held);
     this.over();
+    this.goal.follow();
+    this.goal.draw();
     this.#say();
     points.feed();
   }
@@ -242,26 +249,18 @@ export class WhatIf {
    * @param {Result} result
    */
   here(result) {
-    const found = Points.here(this.page.frame);
-    return found ? valueOf(result, found) : NaN;
+    const own = Points.here(this.page.frame);
+    const value = own ? valueOf(result, own) : NaN;
+    const { found } = this.jobs.own;
+    return Number.isNaN(value) && found ? valueOf(result, found) : value;
   }
   /** Results that there are in this scene. */
   #results() {
-    const { count, data } = /** @type {Lattice} */ (this.lattice);
-    const own = Points.here(this.page.frame);
-    const some = (/** @type {Result} */ name) => {
-      if (own && Number.isFinite(valueOf(name, own))) return true;
-      for (let k = 0; k < Math.min(count, 64); k++)
-        if (!data[k * WIDTH] && Number.isFinite(valueOf(name, data, k * WIDTH))) return true;
-      return false;
-    };
-    const lossy = (/** @type {Result} */ name) => name !== 'dissipated' || this.#lossy(own);
-    const found = NAMES.filter((name) => some(name) && lossy(name));
-    return found.length ? found : [/** @type {Result} */ ('peak_force')];
-  }
-  /** @param {Float64Array | null} own */
-  #lossy(own) {
-    return Boolean(own && valueOf('dissipated', own) > 1e-6);
+    const { found } = this.jobs.own;
+    const there = NAMES.filter((name) => Number.isFinite(this.here(name)));
+    const some = there.filter((name) => !OFTEN_NONE.includes(name) || Math.abs(this.here(name)) > LEAST);
+    if (found || some.length) return some.length ? some : NAMES;
+    return NAMES;
   }
   /** The scale follows where values have gone far beyond it, or it is of something else. */
   #scale() {
