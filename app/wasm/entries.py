@@ -9,12 +9,15 @@ from .balance_entries import BALANCE_ENTRIES
 from .chain_entries import CHAIN_ENTRIES
 from .compact_entries import COMPACT_ENTRIES
 from .entry import KINDS
+from .figure_entries import FIGURE_ENTRIES
 from .modal_entries import MODAL_ENTRIES
 from .spring_entries import FEW, PLACES, SPRING_ENTRIES
 from .wave_entries import DASHPOTS, WAVE_ENTRIES
 
 ON_A_LINE = 80  # of letters of a list: longer ones have one for each of theirs
-ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES | COMPACT_ENTRIES | CHAIN_ENTRIES | BALANCE_ENTRIES
+ENTRIES = (
+    WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES | COMPACT_ENTRIES | CHAIN_ENTRIES | BALANCE_ENTRIES | FIGURE_ENTRIES
+)
 
 
 def room() -> str:

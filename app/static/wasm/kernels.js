@@ -48,6 +48,22 @@ const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactor
  */
 
 /**
+ * Figures of one alone, in the same units.
+ * @typedef {object} RodFigures
+ * @property {number} duration
+ * @property {number} final
+ * @property {number} target
+ * @property {number} energy
+ * @property {number} dissipated
+ * @property {number} deepest  indentation [v T]
+ * @property {number} contacts  how many
+ * @property {number} parting  when the last one ends [T]
+ * @property {number} touching  all of them together [T]
+ * @property {number} peak  force [Z v]
+ * @property {number} stress  the largest along the rod, times its area [Z v]; NaN where it is not known
+ */
+
+/**
  * An impact by modes, in the same units.
  * @typedef {object} ModalImpact
  * @property {number} duration
@@ -144,11 +160,8 @@ export class Kernels extends Memory {
    * @returns {Impact | null}
    */
   law(beta, reflection, { name, constants }, asked = 0) {
-    const places = ROOM.law.constants / 2;
     if (!this.roomFor('law')) return null;
-    const given = this.array('law', 'constants', ROOM.law.constants).fill(0);
-    for (const end of [0, 1]) given.set([...constants], end * places);
-    for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
+    this.#giveBothEnds('law', { name, constants });
     const run = this.#waves('law', this.call('law', beta, reflection, asked));
     if (!run) return null;
     const { common, figures, read, rows } = run;
@@ -157,6 +170,22 @@ export class Kernels extends Memory {
     const path = { depths: read('depths'), presses: read('presses') };
     const curve = { loading: read('loading'), unloading: read('unloading') };
     return { ...common, contacts, final, apart, dissipated, cycle: { deepest, dent, ...path, ...curve } };
+  }
+  /**
+   * Figures alone of either.
+   * @param {number} beta
+   * @param {1 | -1} reflection
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law  rigid without constants
+   * @param {number} asked
+   * @returns {RodFigures | null}
+   */
+  figures(beta, reflection, law, asked = 0) {
+    if (!law.constants.length) {
+      return asked ? null : /** @type {any} */ (this.call('rod_figures', beta, reflection)?.figures ?? null);
+    }
+    if (!this.roomFor('law_figures')) return null;
+    this.#giveBothEnds('law_figures', law);
+    return /** @type {any} */ (this.call('law_figures', beta, reflection, asked)?.figures ?? null);
   }
   /**
    * Either by the lowest modes of the rod.
@@ -270,6 +299,17 @@ export class Kernels extends Memory {
       force: read('force', Math.ceil(figures.duration / step - 1e-6)),
       cycle: { deepest, dent, depths, presses, widths, loading, unloading },
     };
+  }
+  /**
+   * Write a contact law for both ends of a rod.
+   * @param {'law' | 'law_figures'} kernel
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law
+   */
+  #giveBothEnds(kernel, { name, constants }) {
+    const size = ROOM[kernel].constants;
+    const given = this.array(kernel, 'constants', size).fill(0);
+    for (const end of [0, 1]) given.set([...constants], (end * size) / 2);
+    for (const end of [1, 2]) given[(end * size) / 2 - 1] = LAWS.indexOf(name);
   }
   /**
    * Write a contact law for a march.

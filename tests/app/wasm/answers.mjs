@@ -82,7 +82,10 @@ function balance(found, [made, duration]) {
   return Object.fromEntries(lists);
 }
 
-const KINDS = { rod, law, modes, beam, spring, compact, chain, balance };
+const figures = (found, [beta, reflection, name, constants, , asked]) =>
+  found.figures(beta, reflection, { name, constants }, asked) ?? {};
+
+const KINDS = { figures, rod, law, modes, beam, spring, compact, chain, balance };
 
 const ofKind = (given, one) =>
   Object.fromEntries(Object.entries(given).map(([name, impacts]) => [name, impacts.map((each) => one(name, each))]));
