@@ -1,6 +1,6 @@
 // The bar of colours beside a map, with the value of the scene and the one that is wanted.
 import { scale } from '../charts/canvas.js';
-import { cssOf, paletteOf } from './colours.js';
+import { paletteOf, stripOf } from './colours.js';
 import { levelsOf } from './contours.js';
 import { COLOR, disc, mark, pill, word } from './ink.js';
 import { plain, shownOf, unitFor } from './results.js';
@@ -41,12 +41,7 @@ export class Bar {
     const at = (/** @type {number} */ level) => plot.y + plot.h - ((level - low) / (high - low)) * plot.h;
     const within = (/** @type {number} */ y) => Math.min(Math.max(y, plot.y), plot.y + plot.h);
     const place = (/** @type {number} */ each) => within(at(log ? Math.log10(each) : each));
-    const palette = paletteOf(result);
-    for (let k = 0; k < plot.h; k++) {
-      const share = (plot.h - k - 0.5) / plot.h;
-      c.fillStyle = cssOf(palette[Math.min(Math.floor(share * palette.length), palette.length - 1)]);
-      c.fillRect(x, plot.y + k, WIDE, Math.min(1.5, plot.h - k));
-    }
+    c.drawImage(stripOf(paletteOf(result)), x, plot.y, WIDE, plot.h);
     const counts = Array.from({ length: Math.round(high - low) }, (_, k) => Math.round(low + 0.5) + k);
     let last = Infinity;
     for (const level of whole ? counts : levelsOf(domain, Boolean(log))) {

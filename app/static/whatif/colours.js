@@ -1,5 +1,7 @@
 // Colours of a map by what it shows: force, stress and energy as what is compressed, velocities as what moves, times
 // grey.
+import { make } from '../browser/dom.js';
+import { contextOf } from '../charts/canvas.js';
 import { shownOf } from './results.js';
 
 /** @import { Result } from './results.js' */
@@ -61,5 +63,21 @@ export function colouring(palette, [low, high]) {
     Number.isNaN(value) ? NONE : palette[Math.min(Math.max(Math.floor((value - low) * grow), 0), last)];
 }
 
-/** @param {number} pixel */
-export const cssOf = (pixel) => `rgb(${pixel & 255} ${(pixel >> 8) & 255} ${(pixel >> 16) & 255})`;
+/** @type {Map<Uint32Array, HTMLCanvasElement>} */
+const STRIPS = new Map();
+
+/**
+ * All colours from the highest value down, as a picture that is one pixel wide.
+ * @param {Uint32Array} palette
+ */
+export function stripOf(palette) {
+  const known = STRIPS.get(palette);
+  if (known) return known;
+  const strip = make('canvas', { width: 1, height: palette.length });
+  const c = contextOf(strip);
+  const image = c.createImageData(1, palette.length);
+  new Uint32Array(image.data.buffer).set(palette.toReversed());
+  c.putImageData(image, 0, 0);
+  STRIPS.set(palette, strip);
+  return strip;
+}

@@ -52,7 +52,12 @@ export class Goal {
     this.box = make('div', { className: 'whatif-scan' }, this.scan);
     const name = make('strong', { textContent: text('whatif.wanted') });
     const first = make('div', { className: 'whatif-line' }, name, this.number.input, this.unit, this.hold, this.clear);
-    this.second = make('div', { className: 'whatif-line' }, this.choice, make('span', { textContent: text('whatif.by') }));
+    this.second = make(
+      'div',
+      { className: 'whatif-line' },
+      this.choice,
+      make('span', { textContent: text('whatif.by') }),
+    );
     this.second.append(this.roots);
     this.root = make('section', { className: 'whatif-goal' }, first, this.number.wrong, this.second, this.box);
     this.root.ariaLabel = text('whatif.wanted');

@@ -22,6 +22,7 @@ export const MISSING = -1;
 export class Lattice {
   /** @type {Map<number, number>} */ points = new Map(); // number of a point, by its place at the finest level
   count = 0;
+  version = 0; // changes with whatever is found
   data = new Float64Array(WIDTH * 4096);
   /** @type {Map<string, Edge>} */ edges = new Map(); // on which the number of contacts changes
   /** @type {Set<number>} */ asked = new Set(); // points that are under way
@@ -29,6 +30,10 @@ export class Lattice {
   /** @type {Set<number>} */ spared = new Set(); // points between which a straight line will do
   /** @type {Map<number, string>} */ why = new Map(); // points that are refused
 
+  /** @param {number} number  of all that there were */
+  constructor(number) {
+    this.number = number;
+  }
   /**
    * @param {number} key
    * @param {Float64Array} found
@@ -36,6 +41,7 @@ export class Lattice {
    */
   keep(key, found, row) {
     const known = this.points.get(key) ?? this.count++;
+    this.version += 1;
     this.points.set(key, known);
     if (this.count * WIDTH > this.data.length) {
       const data = new Float64Array(this.data.length * 2);
@@ -326,9 +332,8 @@ export class Window {
   }
   /**
    * Edges on which contacts change that are not found yet: half of each is looked at.
-   * @param {number} most
    */
-  halves(most) {
+  halves() {
     const { index, lattice, nx, ny } = this;
     const found = [];
     for (let j = 0; j < ny; j++)
@@ -345,7 +350,6 @@ export class Window {
           if (edge.steps >= HALVINGS || lattice.halving.has(name)) continue;
           const at = (edge.low + edge.high) / 2;
           found.push({ name, edge, at, row: way ? this.row(i, j + at) : this.row(i + at, j) });
-          if (found.length >= most) return found;
         }
       }
     return found;

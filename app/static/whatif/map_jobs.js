@@ -14,6 +14,7 @@ const [FEW, MANY] = [4, 400]; // impacts in a job
 export class MapJobs {
   /** @type {Window | null} */ view = null;
   /** @type {Point[][]} */ wanted = []; // by level
+  /** @type {ReturnType<Window['halves']> | null} */ halves = null; // once they are looked for
   coarse = false; // whether the first picture is not yet whole
   /** @type {{ key: string, found: Float64Array | null }} */ own = { key: '', found: null };
   under = 0; // jobs that are under way
@@ -23,7 +24,7 @@ export class MapJobs {
     this.whatif = whatif;
   }
   get idle() {
-    return !this.under && !this.wanted.length;
+    return !this.under && !this.wanted.length && !this.halves?.length;
   }
   /**
    * @param {Window | null} view
@@ -31,6 +32,7 @@ export class MapJobs {
   plan(view) {
     this.view = view;
     this.wanted = [];
+    this.halves = null;
     this.coarse = false;
     if (!view) return;
     const { x, x0, x1, y, y0, y1 } = view.axes;
@@ -95,13 +97,15 @@ export class MapJobs {
    */
   #edges(view) {
     const { lattice } = view;
-    const all = view.halves(this.#many);
+    this.halves ??= view.halves();
+    const all = this.halves.splice(0, this.#many);
     if (!all.length) return null;
     for (const { name } of all) lattice.halving.add(name);
     const rows = Float64Array.from(all.flatMap(({ row }) => row));
     return this.#job(rows, (found) => {
       all.forEach(({ at, edge, name }, k) => {
         lattice.halving.delete(name);
+        lattice.version += 1;
         if (found) halve(edge, at, found[k * WIDTH] ? -1 : found[k * WIDTH + PLACE.contacts]);
       });
     });

@@ -1,6 +1,6 @@
 // The map as it is drawn: colours, contours, lines where a contact is gained or lost, what is refused hatched, the
 // axes; above it, drawn anew with every movement, the bar of colours and the point of the scene.
-import { cleared, letters, scale } from '../charts/canvas.js';
+import { cleared, letters, scale, sizeOf } from '../charts/canvas.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { Bar, tickOf } from './bar.js';
@@ -54,15 +54,14 @@ export class Plane {
   }
   /** Measure its room; whether there is any. */
   measure() {
-    const found = cleared(this.base, this.root);
-    if (!found) return null;
-    const { width, height } = found;
+    const [width, height] = sizeOf(this.root);
+    if (!width || !height) return false;
     const narrow = width < NARROW * scale;
     this.narrow = narrow;
     const [left, top] = [(narrow ? 52 : 68) * scale, 30 * scale];
     const [right, below] = [(narrow ? 14 : 92) * scale, (narrow ? 44 : 46) * scale];
     this.plot = { x: left, y: top, w: Math.max(width - left - right, 40), h: Math.max(height - top - below, 40) };
-    return found.c;
+    return true;
   }
   /**
    * All that lies under the point.
@@ -73,7 +72,7 @@ export class Plane {
    * @param {boolean} moving  under a hand
    */
   draw(view, result, domain, wanted, moving) {
-    const c = this.measure();
+    const c = cleared(this.base, this.root)?.c;
     if (!c) return;
     const { plot, raster } = this;
     this.domain = domain;

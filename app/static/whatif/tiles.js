@@ -2,12 +2,17 @@
 import { make, write } from '../browser/dom.js';
 import { contextOf } from '../charts/canvas.js';
 import { text } from '../text/catalogue.js';
+import { COLOR, disc } from './ink.js';
 import { MOST_CONTACTS, colouring, paletteOf } from './colours.js';
 import { shownOf, titleOf, written } from './results.js';
 
 /** @import { Window } from './lattice.js' */
 /** @import { Domain } from './plane.js' */
 /** @import { Result } from './results.js' */
+
+const SIZE = /** @type {const} */ ([128, 88]); // pixels of a small map
+
+/** @typedef {{ button: HTMLButtonElement, canvas: HTMLCanvasElement, value: HTMLElement, image: ImageData | null }} Tile */
 
 /**
  * The ends of a scale that holds what a window shows.
@@ -35,11 +40,11 @@ export function domainOf(view, result) {
 }
 
 export class Tiles {
-  /** @type {Map<Result, { button: HTMLButtonElement, canvas: HTMLCanvasElement, value: HTMLElement }>} */ all =
-    new Map();
+  /** @type {Map<Result, Tile>} */ all = new Map();
 
   /** @param {(result: Result) => void} choose */
   constructor(choose) {
+    this.seen = ''; // what the small maps show
     this.choose = choose;
     this.root = make('div', { className: 'whatif-tiles', role: 'group', ariaLabel: text('whatif.results') });
   }
@@ -52,9 +57,10 @@ export class Tiles {
         const value = make('strong');
         const title = make('span', { textContent: titleOf(name) });
         const button = make('button', { type: 'button', onclick: () => this.choose(name) }, canvas, title, value);
-        return [name, { button, canvas, value }];
+        return [name, { button, canvas, value, image: null }];
       }),
     );
+    this.seen = '';
     this.root.replaceChildren(...[...this.all.values()].map(({ button }) => button));
   }
   /**
@@ -69,16 +75,19 @@ export class Tiles {
     }
   }
   /**
-   * The small maps.
+   * The small maps; their values are looked at anew only where they have changed.
    * @param {Window} view
    * @param {[x: number, y: number]} at  of the scene, 0 to 1 each
+   * @param {string} seen  what the window shows
    */
-  draw(view, at) {
-    for (const [name, { canvas }] of this.all) {
-      view.fill(name);
-      const domain = domainOf(view, name);
-      if (domain) drawSmall(view, canvas, name, domain, at);
+  draw(view, at, seen) {
+    const anew = seen !== this.seen;
+    this.seen = seen;
+    for (const [name, tile] of this.all) {
+      if (anew) tile.image = imageOf(view, tile.canvas, name);
+      if (tile.image) drawSmall(tile.canvas, tile.image, at);
     }
+    return anew;
   }
 }
 
@@ -86,25 +95,33 @@ export class Tiles {
  * @param {Window} view
  * @param {HTMLCanvasElement} canvas
  * @param {Result} name
- * @param {Domain} domain
- * @param {[x: number, y: number]} at
  */
-function drawSmall(view, canvas, name, domain, at) {
-  const [width, height] = [128, 88];
+function imageOf(view, canvas, name) {
+  view.fill(name);
+  const domain = domainOf(view, name);
+  if (!domain) return null;
+  const [width, height] = SIZE;
   if (canvas.width !== width) Object.assign(canvas, { width, height });
-  const c = contextOf(canvas);
-  const image = c.createImageData(width, height);
+  const image = contextOf(canvas).createImageData(width, height);
   const pixels = new Uint32Array(image.data.buffer);
   const colour = colouring(paletteOf(name), domain);
   for (let y = 0; y < height; y++)
     for (let x = 0; x < width; x++)
       pixels[y * width + x] = colour(view.near((x + 0.5) / width, 1 - (y + 0.5) / height));
+  return image;
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {ImageData} image
+ * @param {[x: number, y: number]} at
+ */
+function drawSmall(canvas, image, at) {
+  const c = contextOf(canvas);
+  const [width, height] = SIZE;
   c.putImageData(image, 0, 0);
-  c.beginPath();
-  c.arc(at[0] * width, (1 - at[1]) * height, 6, 0, 2 * Math.PI);
-  c.fillStyle = '#00715a';
-  c.fill();
+  disc(c, at[0] * width, (1 - at[1]) * height, 6, COLOR.accent);
   c.lineWidth = 3;
-  c.strokeStyle = '#fff';
+  c.strokeStyle = COLOR.ring;
   c.stroke();
 }

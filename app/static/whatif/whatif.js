@@ -1,6 +1,7 @@
 // What if …: the scene as a point on a map over two choices. The picture lives on beside it; whatever is moved, point,
 // slider or axis, thousands of impacts follow.
 import { make, segments, write } from '../browser/dom.js';
+import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { axesOf } from './axes.js';
@@ -42,8 +43,12 @@ export class WhatIf {
   domainOf = '';
   scene = '';
   asked = ''; // by a link
+  seen = ''; // what of which lattice
+  filled = ''; // with which result
+  painted = ''; // what the map shows
   open = false;
   held = false; // by a hand
+  numbered = 0; // lattices so far
   due = 0;
   /** @type {number | undefined} */ streaming;
   tiled = 0; // when the small maps were drawn
@@ -196,7 +201,7 @@ export class WhatIf {
     const { named } = this;
     const others = Object.entries(this.chosen).filter(([name]) => name !== named.x && name !== named.y);
     const key = JSON.stringify([named.x, named.y, this.points.source === this.points.own, others]);
-    const known = this.lattices.get(key) ?? new Lattice();
+    const known = this.lattices.get(key) ?? new Lattice((this.numbered += 1));
     this.lattices.delete(key);
     this.lattices.set(key, known); // the newest last
     for (const [old] of [...this.lattices].slice(0, -KEPT)) this.lattices.delete(old);
@@ -213,24 +218,50 @@ export class WhatIf {
       write(this.status, text(x && y ? 'whatif.not-here' : 'whatif.no-axes'));
       return;
     }
-    this.lattice = this.#lattice();
-    const [[x0, x1], [y0, y1]] = [this.range(x), this.range(y)];
-    const { h, w } = plane.plot;
-    this.view = new Window(this.lattice, { x, y, x0, x1, y0, y1 }, [w, h], points.quick);
-    this.jobs.plan(this.view);
+    this.#look(x, y);
     const results = this.#results();
     if (!results.includes(this.result)) [this.result] = results;
     this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
     this.tiles.offer(results);
-    this.#tile();
-    this.view.fill(this.result);
-    this.#scale();
-    if (this.domain) plane.draw(this.view, this.result, this.domain, this.wanted[this.result] ?? null, this.held);
+    this.#paint();
     this.over();
+    this.#tile();
     this.goal.follow();
     this.goal.draw();
     this.#say();
     points.feed();
+  }
+  /**
+   * What of the lattice is seen, where that is not known already.
+   * @param {Axis} x
+   * @param {Axis} y
+   */
+  #look(x, y) {
+    const lattice = this.#lattice();
+    const [[x0, x1], [y0, y1]] = [this.range(x), this.range(y)];
+    const { h, w } = this.plane.plot;
+    const seen = JSON.stringify([lattice.number, lattice.version, x0, x1, y0, y1, w, h]);
+    if (this.view && seen === this.seen) return;
+    this.seen = seen;
+    this.lattice = lattice;
+    this.view = new Window(lattice, { x, y, x0, x1, y0, y1 }, [w, h], this.points.quick);
+    this.jobs.plan(this.view);
+  }
+  /** The map, where anything that it shows has changed. */
+  #paint() {
+    const { held, plane, result, view } = this;
+    if (!view) return;
+    const wanted = this.wanted[result] ?? null;
+    const filled = `${this.seen} ${result}`;
+    if (filled !== this.filled) {
+      view.fill(result);
+      this.#scale();
+    }
+    this.filled = filled;
+    const painted = JSON.stringify([filled, this.domain, wanted, held, sizeOf(plane.root)]);
+    if (!this.domain || painted === this.painted) return;
+    plane.draw(view, result, this.domain, wanted, held);
+    this.painted = painted;
   }
   /** What is above the map: the point of the scene. */
   over() {
@@ -285,14 +316,14 @@ export class WhatIf {
       this.tiling ||= window.setTimeout(() => [(this.tiling = 0), this.schedule()], wait);
       return;
     }
-    this.tiled = now;
     const { view, x, y } = this;
-    if (!view) return;
+    if (!view || (this.held && this.jobs.coarse)) return;
+    this.tiled = now;
     const share = (/** @type {Axis} */ axis) => {
       const [from, to] = this.range(axis);
       return (placeOf(axis, this.value(axis)) - from) / (to - from);
     };
-    this.tiles.draw(view, [share(x), share(y)]);
+    if (this.tiles.draw(view, [share(x), share(y)], this.seen)) this.filled = ''; // it is with another result by now
   }
   #say() {
     const { points } = this;
