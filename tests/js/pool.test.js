@@ -7,7 +7,7 @@ import { URL } from 'node:url';
 import { Pool } from '../../app/static/whatif/pool.js';
 
 const MODULE = readFileSync(new URL('../../app/static/wasm/kernels.wasm', import.meta.url));
-const SCENE = [{ kind: 'axial', chosen: { speed: 1 } }, ['speed']];
+const SCENE = { kind: 'axial', chosen: { speed: 1 } };
 const FOUND = new Float64Array(11);
 
 class Stand {
@@ -51,9 +51,14 @@ async function poolOf(processors, jobs = Infinity) {
   const pool = new Pool(() => {
     if (made === jobs) return null;
     const number = made++;
-    return { chosen: {}, rows: new Float64Array([number]), done: (found) => done.push([number, found]) };
+    return {
+      chosen: {},
+      names: ['speed'],
+      rows: new Float64Array([number]),
+      done: (found) => done.push([number, found]),
+    };
   });
-  pool.scene(...SCENE);
+  pool.scene(SCENE);
   const prepared = pool.prepare();
   while (!Stand.all.length) await turn();
   for (const each of Stand.all) each.say({ ready: true });

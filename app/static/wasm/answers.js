@@ -8,7 +8,8 @@ import * as compacts from './compact.js';
 import * as rods from './rod.js';
 import * as sprung from './sprung.js';
 
-export { COLUMNS, figuresAt } from './mapped.js'; // of maps
+export { COLUMNS } from './columns.js';
+export { figuresAt } from './mapped.js'; // of maps
 
 /** @import { Chosen, Frame } from '../messages.js' */
 

@@ -1,53 +1,60 @@
-// What is found of each of many impacts: names as in solvers/studies/figures.py; `vibration` and `dissipated` are
-// shares of the energy at first. In SI units, NaN where there is none; a `status` other than 0 says that there are
-// none at all.
+// What is found of each of many impacts.
 
-/** @import { AxialFrame, BeamFrame, Frame } from '../messages.js' */
+/** @import { AxialFigures, AxialFrame, BeamFrame, Frame } from '../messages.js' */
 
+/**
+ * What there is of each, in SI units, as solvers/studies/figures.py names it; `vibration` and `dissipated` as shares of
+ * the energy before. NaN where there is none; `status`: 0, or 1 where there is no answer here.
+ */
 export const COLUMNS = [
-  ...['status', 'contacts', 'impactor_velocity', 'target_velocity', 'peak_force', 'contact_time'],
-  ...['newton', 'vibration', 'dissipated', 'peak_indentation', 'peak_stress'],
+  ...['status', 'contacts', 'impactor_velocity', 'target_velocity', 'peak_force', 'contact_time', 'newton'],
+  ...['vibration', 'dissipated', 'peak_indentation', 'peak_stress'],
 ];
 
-/**
- * Those of an answer that is there; nothing of kinds whose answers do not say them all.
- * @param {Frame} frame
- * @returns {Float64Array | null}
- */
-export function columnsOf(frame) {
-  if (frame.kind === 'axial') return axialColumns(frame);
-  return frame.kind === 'beam' ? bentColumns(frame) : null;
-}
+/** @typedef {Record<string, number | null>} Row  by column */
 
 /**
- * Of both alike.
- * @param {import('../messages.js').Figures} figures
+ * @param {Row | null} row
+ * @returns {Float64Array}
  */
-function shared({ energy, peakForce, peakIndentation, restitution }) {
+export const listed = (row) => Float64Array.from(COLUMNS, (name, k) => (k > 0 ? (row?.[name] ?? NaN) : row ? 0 : 1));
+
+/**
+ * Those of a whole answer, if there is one of a kind that says them all.
+ * @param {Frame | null} found
+ */
+export const figuresOfWhole = (found) =>
+  listed(found?.kind === 'axial' ? ofAxial(found) : found?.kind === 'beam' ? ofBeam(found) : null);
+
+/**
+ * What all whole answers have.
+ * @param {Pick<AxialFigures, 'energy' | 'peakForce' | 'peakIndentation' | 'restitution'>} figures
+ */
+const common = ({ energy, peakForce, peakIndentation, restitution }) => ({
+  ...{ peak_force: peakForce, newton: restitution.newton, peak_indentation: peakIndentation },
+  vibration: energy.target_vibration / energy.initial,
+  dissipated: energy.dissipated / energy.initial,
+});
+
+/**
+ * @param {AxialFrame} found
+ * @returns {Row}
+ */
+function ofAxial({ exact, speed, trip }) {
   return {
-    newton: restitution.newton ?? NaN,
-    peak: peakForce ?? NaN,
-    vibration: energy.target_vibration / energy.initial,
-    dissipated: energy.dissipated / energy.initial,
-    indentation: peakIndentation ?? NaN,
+    ...common(exact),
+    contacts: exact.contacts.length,
+    contact_time: trip * exact.contacts.reduce((sum, [start, end]) => sum + end - start, 0),
+    ...{ impactor_velocity: speed * (exact.final ?? NaN), target_velocity: speed * exact.targetFinal },
   };
 }
 
-/** @param {AxialFrame} frame */
-function axialColumns({ exact, speed, target, trip }) {
-  const { dissipated, indentation, newton, peak, vibration } = shared(exact);
-  const time = exact.contacts.reduce((sum, [start, end]) => sum + end - start, 0) * trip;
-  const gone = target.held ? NaN : exact.targetFinal * speed;
-  const velocity = (exact.final ?? NaN) * speed;
-  const count = exact.contacts.length;
-  return Float64Array.of(0, count, velocity, gone, peak, time, newton, vibration, dissipated, indentation, NaN);
-}
-
-/** @param {BeamFrame} frame */
-function bentColumns({ beam, main, span }) {
-  const { dissipated, indentation, newton, peak, vibration } = shared(main);
-  const gone = beam.held ? NaN : main.targetFinal;
-  const velocity = main.final ?? NaN;
-  const { contacts } = main;
-  return Float64Array.of(0, contacts, velocity, gone, peak, span.real, newton, vibration, dissipated, indentation, NaN);
-}
+/**
+ * @param {BeamFrame} found
+ * @returns {Row}
+ */
+const ofBeam = ({ main, span }) => ({
+  ...common(main),
+  ...{ contacts: main.contacts, contact_time: span.real },
+  ...{ impactor_velocity: main.final, target_velocity: main.targetFinal },
+});

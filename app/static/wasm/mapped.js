@@ -1,26 +1,12 @@
 // Figures alone of one impact, by the browser's own answers: for maps of thousands of them.
+import { figuresOfWhole, listed } from './columns.js';
 import { isRod, strikingBy } from './rod.js';
 
-/** @import { AxialFigures, AxialFrame, BeamFrame, Chosen, Frame } from '../messages.js' */
+/** @import { AxialFrame, Chosen, Frame } from '../messages.js' */
 /** @import { Answers } from './answers.js' */
+/** @import { Row } from './columns.js' */
 
-/**
- * What there is of each, in SI units, as solvers/studies/figures.py names it; `vibration` and `dissipated` as shares of
- * the energy before. NaN where there is none; `status`: 0, or 1 where there is no answer here.
- */
-export const COLUMNS = [
-  ...['status', 'contacts', 'impactor_velocity', 'target_velocity', 'peak_force', 'contact_time', 'newton'],
-  ...['vibration', 'dissipated', 'peak_indentation', 'peak_stress'],
-];
 const POSITIVE = ['mass_ratio', 'speed'];
-
-/** @typedef {Record<string, number | null>} Row  by column */
-
-/**
- * @param {Row | null} row
- * @returns {Float64Array}
- */
-const listed = (row) => Float64Array.from(COLUMNS, (name, k) => (k > 0 ? (row?.[name] ?? NaN) : row ? 0 : 1));
 
 /**
  * Whether these are choices that a slider may take, and of which an answer of the server tells.
@@ -54,13 +40,6 @@ export function figuresAt(answers, frame, chosen) {
 }
 
 /**
- * Those of a whole answer, if there is one.
- * @param {Frame | null} found
- */
-export const figuresOfWhole = (found) =>
-  listed(found && (found.kind === 'axial' ? ofAxial(found) : ofBeam(/** @type {BeamFrame} */ (found))));
-
-/**
  * Of a mass on a rod, without histories.
  * @param {Answers} answers
  * @param {AxialFrame} frame
@@ -73,7 +52,7 @@ function ofRod({ kernels }, frame, chosen) {
   const { asked, beta, law, mass, side, speed, times } = striking;
   const found = kernels.figures(beta, side, law, asked);
   if (!found) return null;
-  const { forceUnit, rods, target, trip } = frame;
+  const { forceUnit, stressUnit, target, trip } = frame;
   const force = forceUnit * times;
   const targetFinal = target.held ? 0 : found.target;
   const initial = 0.5 * mass * speed ** 2;
@@ -90,39 +69,6 @@ function ofRod({ kernels }, frame, chosen) {
     vibration: (energy * found.energy - whole) / initial,
     dissipated: (energy * found.dissipated) / initial,
     peak_indentation: law.constants.length ? speed * trip * found.deepest : null,
-    peak_stress: (force * found.stress) / rods[0].area,
+    peak_stress: stressUnit * times * found.stress,
   };
 }
-
-/**
- * What all whole answers have.
- * @param {Pick<AxialFigures, 'energy' | 'peakForce' | 'peakIndentation' | 'restitution'>} figures
- */
-const common = ({ energy, peakForce, peakIndentation, restitution }) => ({
-  ...{ peak_force: peakForce, newton: restitution.newton, peak_indentation: peakIndentation },
-  vibration: energy.target_vibration / energy.initial,
-  dissipated: energy.dissipated / energy.initial,
-});
-
-/**
- * @param {AxialFrame} found
- * @returns {Row}
- */
-function ofAxial({ exact, speed, trip }) {
-  return {
-    ...common(exact),
-    contacts: exact.contacts.length,
-    contact_time: trip * exact.contacts.reduce((sum, [start, end]) => sum + end - start, 0),
-    ...{ impactor_velocity: speed * (exact.final ?? NaN), target_velocity: speed * exact.targetFinal },
-  };
-}
-
-/**
- * @param {BeamFrame} found
- * @returns {Row}
- */
-const ofBeam = ({ main, span }) => ({
-  ...common(main),
-  ...{ contacts: main.contacts, contact_time: span.real },
-  ...{ impactor_velocity: main.final, target_velocity: main.targetFinal },
-});

@@ -1,15 +1,16 @@
 // A worker that finds figures of impacts, many at a time: it is given a module of kernels, then a scene, then points.
 import { answersBy } from './answers.js';
-import { COLUMNS, figuresAt } from './mapped.js';
+import { COLUMNS } from './columns.js';
+import { figuresAt } from './mapped.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Answers } from './answers.js' */
 
 /** @typedef {{ kind: 'module', module: WebAssembly.Module }} GivenModule */
 /**
- * @typedef {{ kind: 'scene', frame: Frame, names: string[] }} GivenScene  names: of choices that points differ by
- * @typedef {{ kind: 'points', job: number, chosen: Chosen, rows: Float64Array }} Points  rows (points, names): values
- *   of these; chosen: all other choices that differ from those of the scene
+ * @typedef {{ kind: 'scene', frame: Frame }} GivenScene
+ * @typedef {{ kind: 'points', job: number, chosen: Chosen, names: string[], rows: Float64Array }} Points  rows (points,
+ *   names): values of these choices; chosen: all others that differ from those of the scene
  */
 /** @typedef {GivenModule | GivenScene | Points} Given */
 
@@ -36,9 +37,8 @@ function figures(chosen) {
 }
 
 /** @param {Points} points */
-function solve({ chosen, job, rows }) {
+function solve({ chosen, job, names, rows }) {
   const begun = performance.now();
-  const names = scene?.names ?? [];
   const count = names.length ? Math.floor(rows.length / names.length) : 0;
   const found = new Float64Array(count * COLUMNS.length);
   for (let n = 0; n < count; n++) {

@@ -1,6 +1,5 @@
 // Where the impacts of a map come from: the browser's own kernels, which other threads ask, or the server. What is to
 // be found next is asked for only when one of them is free, so that the newest wish is always next.
-import { columnsOf } from '../wasm/columns.js';
 import { Pool } from './pool.js';
 import { Served } from './server.js';
 
@@ -18,7 +17,7 @@ import { Served } from './server.js';
  * @typedef {object} Source
  * @property {() => Promise<boolean>} prepare
  * @property {(frame: Frame, names: string[]) => boolean} covers
- * @property {(frame: Frame, names: string[]) => void} scene
+ * @property {(frame: Frame) => void} scene
  * @property {() => void} feed
  * @property {boolean} idle
  * @property {() => void} leave
@@ -29,7 +28,6 @@ const QUICK = 3; // ms for an impact, above which it takes long
 export class Points {
   /** @type {Source | null} */ source = null; // of what is shown
   /** @type {Frame | null} */ base = null; // that its impacts are made from
-  /** @type {string[]} */ names = []; // that vary
   spent = 0.3; // ms for an impact
   solved = 0;
   ready = false;
@@ -57,12 +55,7 @@ export class Points {
    */
   #counted(job) {
     if (!job) return null;
-    const { names } = job;
-    const count = job.rows.length / names.length;
-    if (this.base && names.join() !== this.names.join()) {
-      this.names = names;
-      this.source?.scene(this.base, names);
-    }
+    const count = job.rows.length / job.names.length;
     return {
       ...job,
       done: (found, spent, why) => {
@@ -95,10 +88,8 @@ export class Points {
       for (const base of bases)
         if (same(base) && source.covers(base, [...new Set([...names, ...changed(base)])])) {
           if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
-          if (source !== this.source || base !== this.base) {
-            Object.assign(this, { source, base, names });
-            source.scene(base, names);
-          }
+          if (source !== this.source || base !== this.base) source.scene(base);
+          Object.assign(this, { source, base });
           return true;
         }
     this.source = null;
@@ -115,12 +106,5 @@ export class Points {
     for (const each of this.sources) each.leave();
     this.source = this.base = null;
     this.sources = [];
-  }
-  /**
-   * What the page itself has found of the scene; nothing where its answer does not say it.
-   * @param {Frame} frame
-   */
-  static here(frame) {
-    return columnsOf(frame);
   }
 }

@@ -13,8 +13,9 @@ const SMALL = 20; // ms: what takes longer is not given several at once, as what
 /**
  * @typedef {object} Job
  * @property {Chosen} chosen  choices that differ from those of the scene, but for those that its points differ by
+ * @property {string[]} names  of these
  * @property {Float64Array} rows  (points, names)
- * @property {(found: Float64Array | null, spent: number) => void} done  (points, COLUMNS) as app/static/wasm/mapped.js
+ * @property {(found: Float64Array | null, spent: number) => void} done  (points, COLUMNS) as app/static/wasm/columns.js
  *   has them, or null where the worker has died; ms
  */
 /**
@@ -44,7 +45,7 @@ async function scriptOf() {
 export class Pool {
   /** @type {Own[]} */ workers = [];
   /** @type {WebAssembly.Module | null} */ module = null;
-  /** @type {{ frame: Frame, names: string[] } | null} */ about = null;
+  /** @type {Frame | null} */ frame = null; // that all jobs are about
   /** @type {(stands: boolean) => void} */ settle = () => {};
   numbered = 0; // jobs so far
   script = ''; // address of that of a worker
@@ -89,11 +90,10 @@ export class Pool {
   /**
    * What all jobs after this are about.
    * @param {Frame} frame  of the server
-   * @param {string[]} names
    */
-  scene(frame, names) {
-    this.about = { frame, names };
-    for (const { worker } of this.workers) worker.postMessage({ kind: 'scene', ...this.about });
+  scene(frame) {
+    this.frame = frame;
+    for (const { worker } of this.workers) worker.postMessage({ kind: 'scene', frame });
   }
   /** @param {boolean} replaced */
   #start(replaced) {
@@ -104,7 +104,7 @@ export class Pool {
     worker.onerror = () => this.#lose(own);
     worker.onmessageerror = () => this.#lose(own);
     worker.postMessage({ kind: 'module', module: this.module });
-    if (this.about) worker.postMessage({ kind: 'scene', ...this.about });
+    if (this.frame) worker.postMessage({ kind: 'scene', frame: this.frame });
     this.workers.push(own);
   }
   /**
@@ -142,14 +142,15 @@ export class Pool {
   }
   /** Give work to whoever has none, and to those whose jobs are small some that wait. */
   feed() {
-    if (!this.about) return;
+    if (!this.frame) return;
     for (let deep = 1; deep <= DEEP; deep++) {
       for (const own of this.workers) {
         if (!own.ready || own.jobs.size >= deep || (deep > 1 && own.last > SMALL)) continue;
         const job = this.next();
         if (!job) return;
         own.jobs.set(++this.numbered, job);
-        own.worker.postMessage({ kind: 'points', job: this.numbered, chosen: job.chosen, rows: job.rows });
+        const { chosen, names, rows } = job;
+        own.worker.postMessage({ kind: 'points', job: this.numbered, chosen, names, rows });
       }
     }
   }

@@ -12,7 +12,13 @@ import { shownOf, titleOf, written } from './results.js';
 
 const SIZE = /** @type {const} */ ([128, 88]); // pixels of a small map
 
-/** @typedef {{ button: HTMLButtonElement, canvas: HTMLCanvasElement, value: HTMLElement, image: ImageData | null }} Tile */
+/**
+ * @typedef {object} Tile
+ * @property {HTMLButtonElement} button
+ * @property {HTMLCanvasElement} canvas
+ * @property {HTMLElement} value
+ * @property {ImageData | null} image  of the map, without the point
+ */
 
 /**
  * The ends of a scale that holds what a window shows.

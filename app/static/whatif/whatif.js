@@ -14,6 +14,7 @@ import { placeOf, usualRange } from './places.js';
 import { Points } from './points.js';
 import { NAMES, shownOf, valueOf } from './results.js';
 import { Sentence } from './sentence.js';
+import { figuresOfWhole } from '../wasm/columns.js';
 import { Tiles, domainOf } from './tiles.js';
 
 /** @import { Chosen } from '../messages.js' */
@@ -280,8 +281,7 @@ export class WhatIf {
    * @param {Result} result
    */
   here(result) {
-    const own = Points.here(this.page.frame);
-    const value = own ? valueOf(result, own) : NaN;
+    const value = valueOf(result, figuresOfWhole(this.page.frame));
     const { found } = this.jobs.own;
     return Number.isNaN(value) && found ? valueOf(result, found) : value;
   }
