@@ -28,6 +28,7 @@ export class Goal {
   constructor(whatif) {
     this.whatif = whatif;
     this.seek = new Seek((sought) => this.#take(sought));
+    this.pulling = new Seek((sought) => this.#pulled(sought));
     const ends = () => ENDS[shownOf(whatif.result).log ? 'log' : 'linear'];
     const shown = (/** @type {number} */ value) => pretty(value / this.number.asked.factor);
     this.number = /** @type {NumberField & { asked: { factor: number } }} */ (
@@ -107,6 +108,24 @@ export class Goal {
     if (signature === this.signature) return;
     this.signature = signature;
     this.seek.ask({ axis, result, wanted, chosen: page.frame.chosen, fixed: [] });
+  }
+  /**
+   * The contour is pulled to a place: what gives way moves until it goes through there.
+   * @param {[axis: Axis, value: number][]} there
+   */
+  pull(there) {
+    const { axis, wanted, whatif } = this;
+    if (wanted === null || !axis || there.some(([each]) => each === axis)) return;
+    const fixed = there.map(([each, value]) => /** @type {[string, number]} */ ([each.name, value]));
+    this.pulling.ask({ axis, result: whatif.result, wanted, chosen: whatif.chosen, fixed });
+    whatif.points.feed();
+  }
+  /** @param {Sought} sought */
+  #pulled(sought) {
+    const { axis } = sought.asked;
+    const place = nearestTo(sought, placeOf(axis, this.whatif.value(axis)));
+    if (place !== null) this.whatif.set([[axis, Number(valueAt(axis, place).toPrecision(6))]]);
+    else this.roots.replaceChildren(text('whatif.not-there'));
   }
   /** @param {Sought} sought */
   #take(sought) {

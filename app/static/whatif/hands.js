@@ -42,7 +42,7 @@ export class Hands {
     const [px, py] = this.#where(event);
     const under = view && !event.button ? plane.under(px, py) : null;
     if (!under) return;
-    this.drag = under === 'goal' ? 'bar' : under;
+    this.drag = under;
     plane.over.setPointerCapture(event.pointerId);
     this.whatif.held = true;
     if (under === 'map' || under === 'bar') this.#move(event);
@@ -54,10 +54,12 @@ export class Hands {
     if (!this.drag) {
       const under = this.whatif.view && plane.under(px, py);
       plane.over.style.cursor = under ? CURSORS[under] : '';
+      this.whatif.look(under === 'map' ? plane.share(px, py) : null);
       return;
     }
     event.preventDefault();
     if (this.drag === 'bar') this.#want(py);
+    else if (this.drag === 'goal') this.whatif.goal.pull(this.#at(plane.share(px, py)));
     else this.#go(plane.share(px, py));
   }
   #leave() {
@@ -74,14 +76,21 @@ export class Hands {
     this.whatif.wanted[result] = Number(value.toPrecision(3));
     this.whatif.schedule();
   }
-  /** @param {[x: number, y: number]} share  of the map */
-  #go([X, Y]) {
+  /**
+   * Values of both axes there.
+   * @param {[x: number, y: number]} share  of the map
+   */
+  #at([X, Y]) {
     const { x, y } = this.whatif;
     const at = (/** @type {Axis} */ axis, /** @type {number} */ share) => {
       const [from, to] = this.whatif.range(axis);
       return /** @type {[Axis, number]} */ ([axis, roundAt(axis, from + share * (to - from))]);
     };
-    this.whatif.set([at(x, X), at(y, Y)]);
+    return [at(x, X), at(y, Y)];
+  }
+  /** @param {[x: number, y: number]} share */
+  #go(share) {
+    this.whatif.set(this.#at(share));
     this.whatif.over();
   }
   /** @param {KeyboardEvent} event */

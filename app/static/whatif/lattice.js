@@ -48,6 +48,7 @@ export class Lattice {
       data.set(this.data);
       this.data = data;
     }
+    this.why.delete(key);
     this.data.set(found.subarray(row * WIDTH, (row + 1) * WIDTH), known * WIDTH);
   }
   /**
@@ -141,6 +142,17 @@ export class Window {
     const i = Math.round((axes.x0 + X * (axes.x1 - axes.x0)) / steps[0]) - first[0];
     const j = Math.round((axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1]) - first[1];
     return this.values[j * this.nx + i];
+  }
+  /**
+   * Why the nearest point to a place is refused, if it is.
+   * @param {number} X
+   * @param {number} Y
+   */
+  why(X, Y) {
+    const { axes, first, steps } = this;
+    const i = Math.round((axes.x0 + X * (axes.x1 - axes.x0)) / steps[0]) - first[0];
+    const j = Math.round((axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1]) - first[1];
+    return this.lattice.why.get(this.key(i, j)) ?? null;
   }
   /** Find again which points are known. */
   look() {

@@ -47,8 +47,13 @@ export class MapJobs {
   next() {
     const { view } = this;
     if (!view) return null;
-    const first = this.#own(view) ?? this.whatif.goal.seek.next();
+    const { gains, goal } = this.whatif;
+    const first = this.#own(view) ?? goal.pulling.next() ?? goal.seek.next();
     if (first) return first;
+    if (!this.coarse) {
+      const gain = gains.next();
+      if (gain) return gain;
+    }
     while (this.wanted.length && !this.wanted[0].length) this.wanted.shift();
     return this.wanted.length ? this.#points(view) : this.#edges(view);
   }
@@ -83,12 +88,35 @@ export class MapJobs {
     for (const key of keys) lattice.asked.add(key);
     const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
     return this.#job(rows, (found, why) => {
+      const left = keys.flatMap((key, k) => (found?.[k * WIDTH] ? [k] : []));
       keys.forEach((key, k) => {
         lattice.asked.delete(key);
         if (!found) return;
         lattice.keep(key, found, k);
         if (found[k * WIDTH]) lattice.why.set(key, why?.get(k) ?? text('whatif.refused'));
       });
+      if (left.length) this.#elsewhere(view, left.map((k) => some[k])); // prettier-ignore
+    });
+  }
+  /**
+   * What the browser's kernels have no room for, the server finds.
+   * @param {Window} view
+   * @param {Point[]} some
+   */
+  #elsewhere(view, some) {
+    const { lattice } = view;
+    const { named, points } = this.whatif;
+    const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
+    points.elsewhere({
+      ...{ chosen: this.whatif.chosen, names: [named.x, named.y], rows },
+      done: (found, _, why) => {
+        some.forEach(([i, j], k) => {
+          if (!found) return;
+          lattice.keep(view.key(i, j), found, k);
+          if (found[k * WIDTH]) lattice.why.set(view.key(i, j), why?.get(k) ?? text('whatif.refused'));
+        });
+        this.whatif.came();
+      },
     });
   }
   /**

@@ -23,6 +23,7 @@ import { Served } from './server.js';
  * @property {() => void} leave
  */
 
+const MOST = 32; // jobs that wait for the server
 const QUICK = 3; // ms for an impact, above which it takes long
 
 export class Points {
@@ -30,6 +31,8 @@ export class Points {
   /** @type {Frame | null} */ base = null; // that its impacts are made from
   spent = 0.3; // ms for an impact
   solved = 0;
+  /** @type {Job[]} */ queue = []; // that the server is asked while the browser finds the others
+  /** @type {Frame | null} */ asked = null; // what the server is asked about
   ready = false;
 
   /**
@@ -38,9 +41,8 @@ export class Points {
    */
   constructor(page, next) {
     this.page = page;
-    const counted = () => this.#counted(next());
-    this.own = new Pool(counted);
-    this.served = new Served(page, counted);
+    this.own = new Pool(() => (this.source === this.own ? this.#counted(next()) : null));
+    this.served = new Served(page, () => (this.source === this.served ? this.#counted(next()) : this.#left()));
     /** @type {Source[]} */ this.sources = [];
   }
   async prepare() {
@@ -88,12 +90,35 @@ export class Points {
       for (const base of bases)
         if (same(base) && source.covers(base, [...new Set([...names, ...changed(base)])])) {
           if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
-          if (source !== this.source || base !== this.base) source.scene(base);
+          if (source !== this.source || base !== this.base) {
+            source.scene(base);
+            this.queue = [];
+          }
           Object.assign(this, { source, base });
           return true;
         }
     this.source = null;
     return false;
+  }
+  /**
+   * What the browser could not find, the newest first.
+   * @returns {Job | null}
+   */
+  #left() {
+    return this.queue.pop() ?? null;
+  }
+  /**
+   * Have the server find what the browser could not.
+   * @param {Job} job
+   */
+  elsewhere(job) {
+    if (this.source !== this.own || !this.base || !this.sources.includes(this.served)) return;
+    if (!this.served.covers(this.base, job.names)) return;
+    if (this.asked !== this.base) this.served.scene(this.base);
+    this.asked = this.base;
+    this.queue.push(job);
+    if (this.queue.length > MOST) this.queue.shift();
+    this.served.feed();
   }
   /** @param {string} name  Whether it can vary in what is asked for. */
   covers(name) {
@@ -104,7 +129,8 @@ export class Points {
   }
   leave() {
     for (const each of this.sources) each.leave();
-    this.source = this.base = null;
+    this.source = this.base = this.asked = null;
+    this.queue = [];
     this.sources = [];
   }
 }

@@ -40,6 +40,9 @@ export const shownOf = (name) => /** @type {Shown} */ (RESULTS[name]);
 /** @param {Result} name */
 export const titleOf = (name) => text(`whatif.result.${name}`);
 
+/** @param {Result} name */
+export const shortOf = (name) => text(`whatif.short.${name}`);
+
 /**
  * The value of a result in a row of numbers; shares in percent.
  * @param {Result} name

@@ -4,7 +4,7 @@ import { contextOf } from '../charts/canvas.js';
 import { text } from '../text/catalogue.js';
 import { COLOR, disc } from './ink.js';
 import { MOST_CONTACTS, colouring, paletteOf } from './colours.js';
-import { shownOf, titleOf, written } from './results.js';
+import { shortOf, shownOf, titleOf, written } from './results.js';
 
 /** @import { Window } from './lattice.js' */
 /** @import { Domain } from './plane.js' */
@@ -61,7 +61,7 @@ export class Tiles {
       results.map((name) => {
         const canvas = make('canvas', { width: 1, height: 1 });
         const value = make('strong');
-        const title = make('span', { textContent: titleOf(name) });
+        const title = make('span', { textContent: shortOf(name), title: titleOf(name) });
         const button = make('button', { type: 'button', onclick: () => this.choose(name) }, canvas, title, value);
         return [name, { button, canvas, value, image: null }];
       }),

@@ -5,6 +5,7 @@ import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { axesOf } from './axes.js';
+import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
 import { Lattice, Window } from './lattice.js';
@@ -66,6 +67,7 @@ export class WhatIf {
     this.sentence = new Sentence((slot, name) => this.choose(slot, name));
     this.plane = new Plane();
     this.goal = new Goal(this);
+    this.gains = new Gains(this);
     this.tiles = new Tiles((result) => this.choose('of', result));
     this.status = make('p', { className: 'whatif-status', role: 'status' });
     this.words = make('p', { className: 'whatif-said', ariaLive: 'polite' });
@@ -74,7 +76,8 @@ export class WhatIf {
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
     this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.back);
-    this.side = make('div', { className: 'whatif-side' }, this.words, this.tiles.root, this.goal.root, this.status);
+    this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root);
+    this.plane.root.append(this.status, this.words);
     this.parts = [this.head, this.plane.root, this.side];
     this.hands = new Hands(this);
   }
@@ -115,6 +118,7 @@ export class WhatIf {
     this.open = false;
     delete this.page.root.dataset.whatif;
     for (const part of this.parts) part.remove();
+    this.gains.leave();
     this.points.leave();
     this.points.ready = false;
     this.page.place();
@@ -221,7 +225,7 @@ export class WhatIf {
     }
     this.#look(x, y);
     const results = this.#results();
-    if (!results.includes(this.result)) [this.result] = results;
+    if (this.jobs.own.found && !results.includes(this.result)) [this.result] = results;
     this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
     this.tiles.offer(results);
     this.#paint();
@@ -229,6 +233,7 @@ export class WhatIf {
     this.#tile();
     this.goal.follow();
     this.goal.draw();
+    this.gains.follow();
     this.#say();
     points.feed();
   }
@@ -263,6 +268,14 @@ export class WhatIf {
     if (!this.domain || painted === this.painted) return;
     plane.draw(view, result, this.domain, wanted, held);
     this.painted = painted;
+  }
+  /**
+   * Why there is nothing at a place.
+   * @param {[x: number, y: number] | null} share  of the map
+   */
+  look(share) {
+    const why = share && this.view?.why(...share);
+    write(this.words, why ?? '');
   }
   /** What is above the map: the point of the scene. */
   over() {
