@@ -48,6 +48,7 @@ export class Served {
   count = 0; // of its rows that are answered
   /** @type {Map<number, string>} */ why = new Map();
   atOnce = MOST_ROWS; // rows of a question
+  stress = false; // whether the peak stress is asked for, which costs as much again, or more
   /** @type {number | undefined} */ watch;
 
   /**
@@ -136,14 +137,14 @@ export class Served {
    * @param {number} rows
    */
   #question({ chosen, rows: all }, rows) {
-    const { count, id, names, page } = this;
+    const { count, id, names, page, stress } = this;
     const width = names.length;
     const list = Array.from({ length: rows }, (_, k) => [
       ...all.subarray((count + k) * width, (count + k + 1) * width),
     ]);
     const others = Object.keys(page.model.spec).filter((name) => name !== 'scene' && !names.includes(name));
     const set = Object.fromEntries(others.flatMap((name) => (name in chosen ? [[name, chosen[name]]] : [])));
-    return JSON.stringify({ id, names, rows: list, set });
+    return JSON.stringify({ id, names, rows: list, set, stress });
   }
   #take() {
     const { frame, job, page } = this;

@@ -24,7 +24,6 @@ FIND = """async ([names, rows, more]) => {
 }"""
 
 
-@pytest.mark.browser
 def test_points_are_those_of_the_picture_and_leave_it_alone(open_page):
     page = open_page("?scene=xylophone-bar&panel=energy")
     chosen = page.header("chosen")
