@@ -37,14 +37,9 @@ COLUMNS = (
     *("vibration", "dissipated", "peak_indentation", "peak_stress"),
 )  # of an answer; vibration and dissipated as shares of the energy before, all else in SI units
 FOUND, FAILED = 0, 1  # status of a row
-FREE: tuple[str, ...] = (
-    "contacts",
-    "peak_force",
-    "contact_time",
-    "newton",
-    "dissipated",
-    "peak_indentation",
-)  # of any solution
+Names = tuple[str, ...]
+FREE: Names = ("contacts", "peak_force", "contact_time", "newton", "dissipated", "peak_indentation")  # of any solution
+STRESS = "peak_stress"  # costs as much again, or more: null unless it is asked for
 _NUMBERED = re.compile(r'\{"id": ?(\d{1,9})[,}]')
 _NAME = re.compile(r"[\w.]{1,60}", re.ASCII)  # which may be repeated to who has written it
 log = logging.getLogger("strikewave")
@@ -56,6 +51,7 @@ class Points(NamedTuple):
     names: list[str]  # of choices that are numbers, and keys of values of bodies
     rows: list[list[float]]  # values for these, SI units
     others: dict[str, Any]  # choices that are otherwise than the server has them by now
+    figures: Names  # of those that any solution gives
 
 
 def id_of(text: str) -> int | None:
@@ -77,7 +73,8 @@ def read_points(text: str) -> Points:
         raise Refused("refused.points", names=MOST_NAMES, rows=MOST_ROWS)
     for name in names:
         _check_name(name)
-    return Points(names, rows, {name: _choice(name, value) for name, value in others.items()})
+    figures = (*FREE, STRESS) if asked.get("stress") is True else FREE
+    return Points(names, rows, {name: _choice(name, value) for name, value in others.items()}, figures)
 
 
 def _listed(values: Any, most: int, each: Callable[[Any], bool]) -> bool:
@@ -121,14 +118,17 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
         if rows and (cancelled() or time.monotonic() > until):
             break
         try:
-            rows.append(_figures(_solution(Request.of(_with(chosen, points.names, values)))))
+            request = Request.of(_with(chosen, points.names, values))
+            rows.append(_figures(_solution(request, points.figures), points.figures))
         except NotCompiled:
             raise
         except ValueError as reason:
             why[number] = reason_of(reason)
         except Exception:  # the others are to be found all the same
-            log.exception("a point failed: %r %r of %r", points.names, values, chosen)
-            why[number] = note("serving.not-solved").table()
+            failed = note("serving.not-solved").table()
+            if failed not in why.values():  # one of them says enough
+                log.exception("a point failed: %r %r of %r", points.names, values, chosen)
+            why[number] = failed
         if number in why:
             rows.append([FAILED, *[None] * (len(COLUMNS) - 1)])
     return json.dumps({"chosen": chosen, "id": id_of(text), "rows": rows, "why": why}, allow_nan=False)
@@ -143,17 +143,17 @@ def _with(chosen: dict[str, Any], names: list[str], values: list[float]) -> dict
     return chosen | {name: _choice(name, value) for name, value in given.items() if name in Choices.CHOSEN}
 
 
-def _solution(request: Request) -> Solution:
-    """That of which the page shows the figures."""
+def _solution(request: Request, figures: Names) -> Solution:
+    """That of which the page shows these figures."""
     if request.exact:
         return exact_solution(request.scene, request.restitution)
     if request.kind == "bodies":
         return space_solution(request)
-    return (mechanism_solution if request.kind == "mechanism" else main_solution)(request, FREE)[0]
+    return (mechanism_solution if request.kind == "mechanism" else main_solution)(request, figures)[0]
 
 
-def _figures(solution: Solution) -> list[float | None]:
-    found: dict[str, float | None] = dict(zip(FREE, figures_of(solution, FREE), strict=True))
+def _figures(solution: Solution, figures: Names) -> list[float | None]:
+    found: dict[str, float | None] = dict(zip(figures, figures_of(solution, figures), strict=True))
     initial = solution.energy["initial"]
     for name, part in (("vibration", "target_vibration"), ("dissipated", "dissipated")):
         found[name] = solution.energy[part] / initial if initial else None

@@ -8,14 +8,18 @@ import pytest
 
 from app.choices.body_value import with_body_value
 from app.choices.choices import Choices
+from app.choices.request import Request
 from app.choices.scene_of import own_choices
 from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
+from app.messages.transverse import main_solution
 from app.page.address import ASKED, PANELS
 from app.page.questions import Questions, accepted
 from app.serving.limits import MAX_MESSAGE
 from app.views import whatif
 from app.views.whatif import COLUMNS, EXAMPLE, LONGEST, MOST_NAMES, MOST_ROWS, POINTS, id_of, whatif_data
+from solvers.accuracy.reference import exact_solution
+from solvers.solution.peaks import PEAKS
 from tests.app.sentences import sentence
 
 SAME = 1e-9  # relative: modes take flights without contact at once, all else is worked out alike
@@ -128,6 +132,21 @@ def test_choices_that_the_server_does_not_know_yet_come_with_the_question():
     frame = read_header(solve_frame(own_choices("fixed-rod") | changes | {"mass_ratio": 1.5}))
     close(point(answer)["peak_indentation"], frame["exact"]["peakIndentation"])
     assert answer["chosen"] == own_choices("fixed-rod") | changes and answer["id"] == 7
+
+
+@pytest.mark.parametrize(
+    ("scene", "known"),
+    [("fixed-rod", True), ("xylophone-bar", True), ("two-balls", False), ("brick-on-floor", False)],
+)
+def test_the_peak_stress_is_looked_for_where_it_is_asked(scene, known):
+    assert point(found(scene, ["speed"], [[1.5]]))["peak_stress"] is None
+    stress = point(found(scene, ["speed"], [[1.5]], stress=True))["peak_stress"]
+    if not known:
+        assert stress is None
+        return
+    request = Request.of(own_choices(scene) | {"speed": 1.5})
+    solution = exact_solution(request.scene, request.restitution) if request.exact else main_solution(request)[0]
+    close(stress, abs(PEAKS["stress"].find(solution).value))
 
 
 def test_what_cannot_be_is_said_of_its_row_alone():
