@@ -1,4 +1,5 @@
-// How strongly the result follows each choice: what 1 % more of it does, below its slider, where buttons make it an axis.
+// How strongly the result follows each choice: what 1 % more of it does, below its slider, where buttons make it an
+// axis.
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';

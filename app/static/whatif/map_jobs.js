@@ -8,8 +8,8 @@ import { halve } from './lattice.js';
 /** @import { Job } from './points.js' */
 /** @import { WhatIf } from './whatif.js' */
 
-const SPENT = { held: 5, free: 9 }; // ms that a job takes
-const [FEW, MANY] = [4, 400]; // impacts in a job
+const SPENT = { own: { held: 5, free: 9 }, served: { held: 200, free: 400 } }; // ms that a job takes
+const [FEW, MANY] = [4, 256]; // impacts in a job
 
 export class MapJobs {
   /** @type {Window | null} */ view = null;
@@ -75,7 +75,8 @@ export class MapJobs {
   /** Impacts in the time of a job. */
   get #many() {
     const { held, points } = this.whatif;
-    return Math.max(FEW, Math.min(MANY, Math.round(SPENT[held ? 'held' : 'free'] / points.spent)));
+    const spent = SPENT[points.source === points.own ? 'own' : 'served'][held ? 'held' : 'free'];
+    return Math.max(FEW, Math.min(MANY, Math.round(spent / points.spent)));
   }
   /**
    * @param {Window} view

@@ -41,8 +41,10 @@ export class Points {
    */
   constructor(page, next) {
     this.page = page;
-    this.own = new Pool(() => (this.source === this.own ? this.#counted(next()) : null));
-    this.served = new Served(page, () => (this.source === this.served ? this.#counted(next()) : this.#left()));
+    /** @type {Source} */ this.own = new Pool(() => (this.source === this.own ? this.#counted(next()) : null));
+    /** @type {Source} */ this.served = new Served(page, () =>
+      this.source === this.served ? this.#counted(next()) : this.#left(),
+    );
     /** @type {Source[]} */ this.sources = [];
   }
   async prepare() {
@@ -88,7 +90,7 @@ export class Points {
       frame.chosen.scene === chosen.scene && frame.chosen.bodies === chosen.bodies;
     for (const source of this.sources)
       for (const base of bases)
-        if (same(base) && source.covers(base, [...new Set([...names, ...changed(base)])])) {
+        if (same(base) && source.covers(base, source === this.own ? [...names, ...changed(base)] : names)) {
           if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
           if (source !== this.source || base !== this.base) {
             source.scene(base);

@@ -2,16 +2,13 @@
 // time is under way, and the next is only made when it is answered, so that the newest wish wins.
 import { carried } from '../browser/home.js';
 import { said } from '../text/catalogue.js';
+import { COLUMNS } from '../wasm/columns.js';
 import { isBodyKey } from '../wire/body_values.js';
 
 /** @import { Frame } from '../messages.js' */
 /** @import { Page } from '../page.js' */
+/** @import { Job } from './points.js' */
 
-/** Of an answer, as app/views/whatif.py has them: SI units, NaN where there is none. */
-export const COLUMNS = [
-  ...['status', 'contacts', 'impactor_velocity', 'target_velocity', 'peak_force', 'contact_time', 'newton'],
-  ...['vibration', 'dissipated', 'peak_indentation', 'peak_stress'],
-];
 const FAILED = 1; // status of a point that is refused, or of which nothing is found
 const MOST_NAMES = 8;
 const MOST_ROWS = 256; // of a question, and its letters
@@ -20,14 +17,6 @@ const LEAST_ROWS = 8; // that are asked at once, however long the last took; els
 const PATIENCE = 30_000; // ms without an answer, some of which kernels may take to be compiled
 const TICK = 250; // ms between looks whether the server is still there
 
-/**
- * Points to be found. `done` is given their figures, a row of `COLUMNS` each, or null where there is no server any
- * more; the ms that it took; and why, by the number of the row, there are none.
- * @typedef {object} Job
- * @property {Record<string, any>} chosen  the choices by now, which the server may not know yet
- * @property {Float64Array} rows  values of the names, row by row
- * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>) => void} done
- */
 /**
  * @typedef {object} Answer  of the server
  * @property {number | null} id
@@ -38,8 +27,7 @@ const TICK = 250; // ms between looks whether the server is still there
  */
 
 export class Served {
-  /** @type {Frame | null} */ frame = null; // what the points are about, and what is varied
-  /** @type {string[]} */ names = [];
+  /** @type {Frame | null} */ frame = null; // what the points are about
   /** @type {Job | null} */ job = null; // that is under way
   begun = 0; // when
   asked = 0; // when its last question was, and the number of that
@@ -83,13 +71,10 @@ export class Served {
   /**
    * What the next jobs are about; one that is under way about something else is given up.
    * @param {Frame} frame
-   * @param {string[]} names
    */
-  scene(frame, names) {
-    const other = this.frame?.chosen.scene !== frame.chosen.scene || names.join() !== this.names.join();
-    if (other && this.job) this.leave();
+  scene(frame) {
+    if (this.job && this.frame?.chosen.scene !== frame.chosen.scene) this.leave();
     this.frame = frame;
-    this.names = [...names];
   }
   /** Ask for the next job, if none is under way. */
   feed() {
@@ -100,7 +85,7 @@ export class Served {
     this.begun = performance.now();
     this.count = 0;
     this.why = new Map();
-    this.found = new Float64Array((job.rows.length / this.names.length) * COLUMNS.length).fill(NaN);
+    this.found = new Float64Array((job.rows.length / job.names.length) * COLUMNS.length).fill(NaN);
     clearInterval(this.watch);
     this.watch = window.setInterval(() => this.#look(), TICK);
     this.#ask();
@@ -116,9 +101,9 @@ export class Served {
   }
   /** Have as many of the rows that are left found as one question holds. */
   #ask() {
-    const { frame, job, names, page } = this;
+    const { frame, job, page } = this;
     if (!job || !frame) return;
-    const total = job.rows.length / names.length;
+    const total = job.rows.length / job.names.length;
     if (this.count >= total) return this.#end(this.found);
     if (job.chosen.scene !== frame.chosen.scene) return this.leave(); // another scene has been chosen meanwhile
     this.id += 1;
@@ -136,8 +121,8 @@ export class Served {
    * @param {Job} job
    * @param {number} rows
    */
-  #question({ chosen, rows: all }, rows) {
-    const { count, id, names, page, stress } = this;
+  #question({ chosen, names, rows: all }, rows) {
+    const { count, id, page, stress } = this;
     const width = names.length;
     const list = Array.from({ length: rows }, (_, k) => [
       ...all.subarray((count + k) * width, (count + k + 1) * width),
