@@ -14,6 +14,10 @@ const CELL = [7, 10]; // pixels, at least, of a step: where one is found in a mo
 const STRAIGHT = 0.004; // of its scale: what a straight line may be off by
 const HALVINGS = 5; // of a step of the lattice, until a change of contacts is found to 1e-3 of an axis
 export const MISSING = -1;
+export const MANY = 6; // contacts: with as many or more each impact has a number of its own, and there are no lines
+
+/** @param {number} contacts  As lines on a map tell them apart. */
+export const counted = (contacts) => Math.min(contacts, MANY);
 
 /** @typedef {{ x: Axis, y: Axis, x0: number, x1: number, y0: number, y1: number }} Axes  ends as places */
 /** @typedef {[i: number, j: number]} Point  of a window */
@@ -52,13 +56,14 @@ export class Lattice {
     this.data.set(found.subarray(row * WIDTH, (row + 1) * WIDTH), known * WIDTH);
   }
   /**
-   * The number of contacts of a point that is kept; negative where it is refused, 0 where none is known.
+   * The number of contacts of a point that is kept, `MANY` of those with as many or more; negative where it is refused,
+   * 0 where none is known.
    * @param {number} point
    */
   contacts(point) {
     if (point === MISSING) return 0;
     const at = point * WIDTH;
-    return this.data[at] ? -1 : this.data[at + PLACE.contacts];
+    return this.data[at] ? -1 : counted(this.data[at + PLACE.contacts]);
   }
 }
 

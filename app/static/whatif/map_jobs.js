@@ -2,7 +2,7 @@
 import { text } from '../text/catalogue.js';
 import { placeOf } from './places.js';
 import { PLACE, WIDTH } from './results.js';
-import { halve } from './lattice.js';
+import { counted, halve } from './lattice.js';
 
 /** @import { Window, Point } from './lattice.js' */
 /** @import { Job } from './points.js' */
@@ -135,7 +135,7 @@ export class MapJobs {
       all.forEach(({ at, edge, name }, k) => {
         lattice.halving.delete(name);
         lattice.version += 1;
-        if (found) halve(edge, at, found[k * WIDTH] ? -1 : found[k * WIDTH + PLACE.contacts]);
+        if (found) halve(edge, at, found[k * WIDTH] ? -1 : counted(found[k * WIDTH + PLACE.contacts]));
       });
     });
   }

@@ -6,6 +6,7 @@ import { text } from '../text/catalogue.js';
 import { Bar, tickOf } from './bar.js';
 import { colouring, paletteOf } from './colours.js';
 import { contoursOf, levelsOf, partsOf } from './contours.js';
+import { MANY } from './lattice.js';
 import { COLOR, disc, mark, pill, stroke, word } from './ink.js';
 import { marksOf, writtenOn } from './places.js';
 import { Raster } from './raster.js';
@@ -175,7 +176,8 @@ export class Plane {
       const [x, y] = [X * this.plot.w, (1 - Y) * this.plot.h];
       const wide = depth > 4;
       if (depth < 1 || !this.#free(x, y)) continue;
-      const words = wide ? text('whatif.contacts', { count }) : String(count);
+      const many = count === MANY;
+      const words = wide ? text('whatif.contacts', { count, many }) : `${count}${many ? '+' : ''}`;
       word(c, words, x, y, { size: 15, weight: '600 ', edge: COLOR.edge });
       this.taken.push([x, y, wide ? 56 : 20]);
     }
