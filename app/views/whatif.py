@@ -38,6 +38,7 @@ COLUMNS = (
 )  # of an answer; vibration and dissipated as shares of the energy before, all else in SI units
 FOUND, FAILED = 0, 1  # status of a row
 Names = tuple[str, ...]
+Values = dict[str, Any]  # by name
 FREE: Names = ("contacts", "peak_force", "contact_time", "newton", "dissipated", "peak_indentation")  # of any solution
 STRESS = "peak_stress"  # costs as much again, or more: null unless it is asked for
 _NUMBERED = re.compile(r'\{"id": ?(\d{1,9})[,}]')
@@ -113,12 +114,13 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
     except ValueError as reason:
         return json.dumps({"chosen": chosen, "id": id_of(text), "error": reason_of(reason)}, allow_nan=False)
     chosen |= points.others
-    until, rows, why = time.monotonic() + SECONDS, [], {}
+    until, rows, why, moved = time.monotonic() + SECONDS, [], {}, {}
     for number, values in enumerate(points.rows):
         if rows and (cancelled() or time.monotonic() > until):
             break
         try:
-            request = Request.of(_with(chosen, points.names, values))
+            given = dict(zip(points.names, values, strict=True))
+            request = Request.of(_with(chosen, given, moved))
             rows.append(_figures(_solution(request, points.figures), points.figures))
         except NotCompiled:
             raise
@@ -134,13 +136,18 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
     return json.dumps({"chosen": chosen, "id": id_of(text), "rows": rows, "why": why}, allow_nan=False)
 
 
-def _with(chosen: dict[str, Any], names: list[str], values: list[float]) -> dict[str, Any]:
-    """The choices at a point: values of bodies as they are typed, which move what follows, then what is chosen."""
-    given = dict(zip(names, values, strict=True))
-    for name, value in given.items():
-        if name not in Choices.CHOSEN:
-            chosen = chosen | with_body_value(chosen | {"body_value": f"{name}={value!r}"})
-    return chosen | {name: _choice(name, value) for name, value in given.items() if name in Choices.CHOSEN}
+def _with(chosen: Values, given: Values, moved: dict[tuple, Values]) -> Values:
+    """The choices at a point: values of bodies as they are typed, which move what follows, then what is chosen.
+
+    `moved`: by these values, the choices of points that have the same, as a whole line of the map does.
+    """
+    typed = tuple((name, value) for name, value in given.items() if name not in Choices.CHOSEN)
+    if typed not in moved:
+        found = chosen
+        for name, value in typed:
+            found = found | with_body_value(found | {"body_value": f"{name}={value!r}"})
+        moved[typed] = found
+    return moved[typed] | {name: _choice(name, value) for name, value in given.items() if name in Choices.CHOSEN}
 
 
 def _solution(request: Request, figures: Names) -> Solution:

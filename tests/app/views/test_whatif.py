@@ -126,6 +126,13 @@ def test_a_value_of_a_body_moves_what_it_moves_on_the_page():
         compare_figures(row, exact, exact["final"] * speed, exact["targetFinal"] * speed)
 
 
+def test_points_with_the_same_bodies_are_as_if_each_were_asked_alone():
+    names, rows = ["target.length", "speed"], [[0.3, 1.0], [0.3, 2.0], [0.4, 1.0]]
+    together = found("fixed-rod", names, rows)["rows"]
+    assert together == [found("fixed-rod", names, [row])["rows"][0] for row in rows]
+    assert together[0] != together[2]
+
+
 def test_choices_that_the_server_does_not_know_yet_come_with_the_question():
     changes = {"law": "hertz", "hertz_stiffness": 3e10, "speed": 2.0}
     answer = found("fixed-rod", ["mass_ratio"], [[1.5]], set=changes)
