@@ -98,9 +98,15 @@ export function pill(c, words, x, y, align, within) {
   const wide = c.measureText(words).width + 14;
   const from = x - (align === 'left' ? 0 : align === 'right' ? wide : wide / 2);
   const left = Math.max(2, Math.min(within - wide - 2, from));
-  c.beginPath();
-  c.roundRect(left, y - 11 * scale, wide, 22 * scale, 6);
-  c.fillStyle = COLOR.pill;
-  c.fill();
+  for (const [edge, color] of /** @type {const} */ ([
+    [4, '#fff'],
+    [0, COLOR.pill],
+  ])) {
+    // prettier-ignore
+    c.beginPath();
+    c.roundRect(left - edge, y - 11 * scale, wide + 2 * edge, 22 * scale, 6);
+    c.fillStyle = color;
+    c.fill();
+  }
   word(c, words, left + 7, y + 0.5, { weight: '600 ', align: 'left', color: COLOR.accent });
 }

@@ -1,6 +1,6 @@
 // Places along the axes of a map: equal steps are equal shares of what a choice can be, logarithmic where a slider is.
 // The ends of what it can be are places of the lattice at every level.
-import { pretty } from '../text/format.js';
+import { pretty, raised } from '../text/format.js';
 
 /** @import { Axis } from './axes.js' */
 
@@ -93,5 +93,13 @@ export function marksOf(axis, [from, to], room) {
  */
 export const writtenOn = ({ factor, whole }, value) => {
   const shown = Number((value / factor).toPrecision(4));
-  return whole ? String(Math.round(shown)) : pretty(shown);
+  return whole ? String(Math.round(shown)) : pretty(shown).replace(/^(.+)e(-?\d+)$/, tens);
 };
+
+/**
+ * A number such as 2e10 by powers of ten.
+ * @param {string} _
+ * @param {string} digits
+ * @param {string} power
+ */
+const tens = (_, digits, power) => `${digits === '1' ? '' : `${digits}·`}10${raised(Number(power))}`;

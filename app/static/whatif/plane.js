@@ -99,7 +99,11 @@ export class Plane {
       stroke(c, this.goal, COLOR.casing, 6);
       stroke(c, this.goal, COLOR.accent, 2.75);
     }
-    this.taken = [[this.at[0] - plot.x, this.at[1] - plot.y, 30]];
+    const [px, py] = [this.at[0] - plot.x, this.at[1] - plot.y];
+    this.taken = [
+      [px, py, 30],
+      [px + 62, py - 20, 72], // what is written there
+    ];
     this.#count(c, view);
     for (const [level, line] of this.lines) if (level !== goal) this.#name(c, result, level, line);
     c.restore();

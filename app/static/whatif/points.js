@@ -126,8 +126,9 @@ export class Points {
   covers(name) {
     return Boolean(this.base && this.source?.covers(this.base, [name]));
   }
+  /** Whatever is free is asked; the server only once it has answered the page itself. */
   feed() {
-    this.source?.feed();
+    if (this.source === this.own || !this.page.changes.asked) this.source?.feed();
   }
   leave() {
     for (const each of this.sources) each.leave();
