@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { axesOf } from '../../app/static/whatif/axes.js';
-import { COLUMNS, Served } from '../../app/static/whatif/server.js';
+import { COLUMNS } from '../../app/static/wasm/columns.js';
+import { Served } from '../../app/static/whatif/server.js';
 
 globalThis.window = globalThis;
 const SPEC = {
@@ -88,8 +89,8 @@ function pageOf() {
 const row = (first) => [0, first, ...Array.from({ length: COLUMNS.length - 2 }, () => null)];
 
 /** Points of a job, and what came of it. */
-function jobOf(values) {
-  const job = { chosen: { ...FRAME.chosen, speed: 3 }, rows: Float64Array.from(values), ended: [] };
+function jobOf(values, names = ['mass_ratio']) {
+  const job = { chosen: { ...FRAME.chosen, speed: 3 }, names, rows: Float64Array.from(values), ended: [] };
   job.done = (...found) => job.ended.push(found);
   return job;
 }
@@ -100,7 +101,7 @@ test('what is left of a job is asked again, then the newest wish', () => {
   const [first, second] = jobs;
   const served = new Served(page, () => jobs.shift() ?? null);
   assert.ok(served.covers(FRAME, ['mass_ratio', 'target.length']) && !served.covers(FRAME, ['law']));
-  served.scene(FRAME, ['mass_ratio']);
+  served.scene(FRAME);
   served.feed();
   served.feed();
   assert.equal(asked.length, 1);
@@ -141,7 +142,7 @@ test('a lost server, another scene and other axes end a job', (t) => {
   const served = new Served(page, () => job);
   const begin = () => {
     job = jobOf([1, 2]);
-    served.scene(FRAME, ['mass_ratio']);
+    served.scene(FRAME);
     served.feed();
     return job;
   };
@@ -156,7 +157,7 @@ test('a lost server, another scene and other axes end a job', (t) => {
   answer({ chosen: { scene: 'free-rod' }, rows: [row(1)] });
   assert.equal(other.ended[0][0], null);
   const across = begin();
-  served.scene(FRAME, ['mass_ratio']);
+  served.scene(FRAME);
   assert.equal(across.ended.length, 0);
   served.scene(FRAME, ['speed']);
   assert.equal(across.ended[0][0], null);

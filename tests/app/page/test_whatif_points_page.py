@@ -5,15 +5,16 @@ import pytest
 # Points over these names at these rows, with what else is chosen by now.
 FIND = """async ([names, rows, more]) => {
   const script = document.querySelector('link[rel=modulepreload][href$="/page.js"]').href;
-  const { COLUMNS, Served } = await import(script.replace('page.js', 'whatif/server.js'));
+  const { Served } = await import(script.replace('page.js', 'whatif/server.js'));
+  const { COLUMNS } = await import(script.replace('page.js', 'wasm/columns.js'));
   const { page } = strikewave;
   const { frame } = page;
   const chosen = { ...frame.chosen, ...more };
   const before = [location.href, history.length, page.waiter.root?.textContent, page.frame];
   const found = await new Promise((done) => {
-    const jobs = [{ chosen, rows: Float64Array.from(rows.flat()), done: (...all) => done(all) }];
+    const jobs = [{ chosen, names, rows: Float64Array.from(rows.flat()), done: (...all) => done(all) }];
     const served = new Served(page, () => jobs.shift() ?? null);
-    served.scene(frame, names);
+    served.scene(frame);
     served.feed();
   });
   const [values, , why] = found;
