@@ -8,8 +8,9 @@ import { COLUMNS, figuresAt } from './mapped.js';
 /** @typedef {{ kind: 'module', module: WebAssembly.Module }} GivenModule */
 /**
  * @typedef {{ kind: 'scene', frame: Frame, names: string[] }} GivenScene  names: of choices that points differ by
- * @typedef {{ kind: 'points', job: number, chosen: Chosen, rows: Float64Array }} Points  rows (points, names): values
- *   of these; chosen: all other choices that differ from those of the scene
+ * @typedef {{ kind: 'points', job: number, chosen: Chosen, rows: Float64Array, tolerance?: number }} Points  rows
+ *   (points, names): values of these; chosen: all other choices that differ from those of the scene; tolerance: as
+ *   `figuresAt` takes it
  */
 /** @typedef {GivenModule | GivenScene | Points} Given */
 
@@ -25,10 +26,11 @@ let scene = null;
 /**
  * Of one point: none where anything fails, which leaves those after it as they are.
  * @param {Chosen} chosen
+ * @param {number} [tolerance]
  */
-function figures(chosen) {
+function figures(chosen, tolerance) {
   try {
-    if (answers && scene) return figuresAt(answers, scene.frame, { ...scene.frame.chosen, ...chosen });
+    if (answers && scene) return figuresAt(answers, scene.frame, { ...scene.frame.chosen, ...chosen }, tolerance);
   } catch {
     answers?.kernels.restore(); // a trap or an odd message: what is asked next starts anew
   }
@@ -36,14 +38,14 @@ function figures(chosen) {
 }
 
 /** @param {Points} points */
-function solve({ chosen, job, rows }) {
+function solve({ chosen, job, rows, tolerance }) {
   const begun = performance.now();
   const names = scene?.names ?? [];
   const count = names.length ? Math.floor(rows.length / names.length) : 0;
   const found = new Float64Array(count * COLUMNS.length);
   for (let n = 0; n < count; n++) {
     const varied = Object.fromEntries(names.map((name, k) => [name, rows[n * names.length + k]]));
-    found.set(figures({ ...chosen, ...varied }), n * COLUMNS.length);
+    found.set(figures({ ...chosen, ...varied }, tolerance), n * COLUMNS.length);
   }
   own.postMessage({ job, found, spent: performance.now() - begun }, [found.buffer]);
 }
