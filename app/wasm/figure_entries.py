@@ -11,12 +11,29 @@ from solvers.numerics.waves import law_drawn, rigid, rigid_figures
 from solvers.numerics.waves.collocation import NODES, SLOPE_AT_END, SLOPE_AT_START, STAGES, interpolate
 from solvers.numerics.waves.drawn import NO_ROOM, SOLVED
 from solvers.numerics.waves.events import NO_PULL
+from solvers.numerics.waves.laws import STORED
 from solvers.numerics.waves.laws import Work as LawWork
 from solvers.numerics.waves.network import PARTED, STOPPED, solve
 from solvers.numerics.waves.nodes import State, rewind
 from solvers.numerics.waves.parts import Chain
-from solvers.numerics.waves.periods import SILENT, periods
-from solvers.numerics.waves.record import FLAT, GOLDEN, OUT_RIGHT, POINTS, QUANTITIES, Record
+from solvers.numerics.waves.periods import SILENT, end_of, periods
+from solvers.numerics.waves.record import (
+    DEPTH,
+    FLAT,
+    FORCE,
+    GOLDEN,
+    LOST,
+    OUT_LEFT,
+    OUT_RIGHT,
+    POINTS,
+    QUANTITIES,
+    SPEED,
+    TOTAL_LEFT,
+    TOTAL_RIGHT,
+    Record,
+    sample_at,
+    square_integral,
+)
 from solvers.numerics.waves.rigid import Pieces, Work
 
 from .entry import ANY_LAW, FLAGS, INTEGERS, LOSES, REMEMBERS, Entry
@@ -28,6 +45,7 @@ FINAL, TARGET, ENERGY, DISSIPATED, DEEPEST, PEAK, STRESS, TOUCHING, PARTING, TOU
 COLUMNS = 11
 TURNS = PIECES * (T + 2)  # of the wave that the struck end sends
 LAW_TURNS = 4 * STRETCHES
+NEAR = 0.9  # of the highest so far: between nodes that are lower is nothing higher
 
 
 @numba.njit(error_model="numpy")
@@ -136,6 +154,40 @@ def _turn_within(values, low, high, way):
 
 
 @numba.njit(error_model="numpy")
+def _turn_of(values, way):
+    """The highest (way 1) or lowest (-1) node of what a stretch keeps, and where that turns beside it; -1: nowhere."""
+    top = 0
+    for k in range(1, POINTS):
+        top = k if way * values[k] > way * values[top] else top
+    beyond = 1.0
+    if top == 0 or top == STAGES:
+        beyond = 0.0
+        for k in range(POINTS):
+            beyond += (SLOPE_AT_START[k] if top == 0 else -SLOPE_AT_END[k]) * way * values[k]
+    if beyond <= 0.0:
+        return top, -1.0
+    return top, _turn_within(values, NODES[max(top - 1, 0)], NODES[min(top + 1, STAGES)], way)
+
+
+@numba.njit(error_model="numpy")
+def _highest(record, quantity, first, last):
+    """The largest value in these stretches of the struck end, between nodes only where it turns there."""
+    best = 0.0
+    for n in range(first, last + 1):
+        values = record.values[0, n, quantity]
+        largest = values[0]
+        for k in range(1, POINTS):
+            largest = max(largest, values[k])
+        if largest <= NEAR * best:
+            continue
+        best = max(best, largest)
+        _, place = _turn_of(values, 1.0)
+        if place >= 0.0:
+            best = max(best, interpolate(values, place))
+    return best
+
+
+@numba.njit(error_model="numpy")
 def _turns_of_record(record, last, at, waves):
     """The same of a wave that is kept in stretches."""
     count = _went_through(0.0, 0.0, at, waves, 0)
@@ -145,21 +197,10 @@ def _turns_of_record(record, last, at, waves):
         if begin >= last:
             break
         count = _went_through(begin, values[0], at, waves, count)
-        rising, falling = 0.0, 0.0
-        for k in range(POINTS):
-            rising += SLOPE_AT_START[k] * values[k]
-            falling -= SLOPE_AT_END[k] * values[k]
-        highest = lowest = 0
-        for k in range(1, POINTS):
-            highest = k if values[k] > values[highest] else highest
-            lowest = k if values[k] < values[lowest] else lowest
-        for first in range(2):  # of both turns the earlier one first
-            upper = (highest <= lowest) == (first == 0)
-            k, way = (highest, 1.0) if upper else (lowest, -1.0)
-            if (k == 0 and way * rising <= 0.0) or (k == STAGES and way * falling <= 0.0):
-                continue
-            place = _turn_within(values, NODES[max(k - 1, 0)], NODES[min(k + 1, STAGES)], way)
-            if begin + place * width <= last:
+        highest, lowest = _turn_of(values, 1.0), _turn_of(values, -1.0)
+        for upper in (highest[0] <= lowest[0], highest[0] > lowest[0]):  # of both turns the earlier one first
+            place = highest[1] if upper else lowest[1]
+            if place >= 0.0 and begin + place * width <= last:
                 count = _went_through(begin + place * width, interpolate(values, place), at, waves, count)
         place = min((last - begin) / width, 1.0)
         count = _went_through(begin + place * width, interpolate(values, place), at, waves, count)
@@ -167,24 +208,36 @@ def _turns_of_record(record, last, at, waves):
 
 
 @numba.njit(error_model="numpy")
-def _law_figures(chain, record, own, slopes, last, table, count, kept, o):
+def _law_figures(record, free, own, slopes, last, pressed, count, o):
     """Write those of an impact through a law from its record and its contacts."""
-    parted = table[count - 1, law_drawn.END]
-    law_drawn._figures(chain, record, ANY_LAW, own, slopes, parted, last, kept)
-    o[FINAL], o[TARGET], o[ENERGY] = kept[law_drawn.FINAL], kept[law_drawn.TARGET], kept[law_drawn.ROD]
-    o[DISSIPATED], o[DEEPEST] = kept[law_drawn.DISSIPATED], kept[law_drawn.DEEPEST]
+    after, lag = np.bool_(True), law_drawn.LAG
     o[PEAK] = o[TOUCHING] = 0.0
     for k in range(count):
-        o[PEAK] = max(o[PEAK], table[k, law_drawn.PEAK])
-        o[TOUCHING] += table[k, law_drawn.END] - table[k, law_drawn.START]
-    o[PARTING], o[TOUCHES], o[SHOWN] = parted, count, last
+        first, beyond = pressed[k, 0], pressed[k, 1]
+        o[PEAK] = max(o[PEAK], _highest(record, FORCE, first, beyond))
+        o[PARTING] = end_of(record, 0, beyond)
+        o[TOUCHING] += o[PARTING] - record.start[0, first]
+    o[FINAL] = sample_at(record, 0, SPEED, last, after)
+    right = sample_at(record, 0, TOTAL_RIGHT, last, after) - sample_at(record, 0, TOTAL_RIGHT, last - lag, after)
+    left = sample_at(record, 1, TOTAL_LEFT, last, after) - sample_at(record, 1, TOTAL_LEFT, last - lag, after)
+    o[TARGET] = 2.0 * (right - left) if free else 0.0
+    since = max(last - lag, 0.0)
+    o[ENERGY] = square_integral(record, 0, OUT_RIGHT, since, last) + square_integral(record, 1, OUT_LEFT, since, last)
+    o[DEEPEST] = _highest(record, DEPTH, 0, record.count[0] - 1)
+    depth = sample_at(record, 0, DEPTH, o[PARTING], np.bool_(False))
+    o[DISSIPATED] = sample_at(record, 0, LOST, o[PARTING], np.bool_(False))
+    o[DISSIPATED] += ANY_LAW(STORED, own, depth, 0.0, o[DEEPEST], slopes)
+    o[TOUCHES], o[SHOWN] = count, last
 
 
 def law_figures(
-    beta, reflection, asked, constants, beside, nodes, counts, flags, rows, nothing, pressing, contacts, kept, at,
-    waves, out, start, values, closed, breaks,
+    beta, reflection, asked, tolerance, constants, beside, nodes, counts, flags, rows, nothing, pressing, at, waves,
+     out, start, values, closed, breaks,
 ):  # fmt: skip
-    """One that strikes through a contact law, followed as by `law`; of one for as long as is asked no stress."""
+    """One that strikes through a contact law, followed as by `law`; of one for as long as is asked no stress.
+
+    tolerance: of a step, or 0: that of `law`.
+    """
     b, f = carray(beside, (8, 3)), carray(nodes, (8, 2))
     n, yes = carray(counts, (6, 2)), carray(flags, (6, 2))
     chain = Chain(b[0][:1], b[1][:1], b[2][:1], n[0], b[3][:2], b[4][:2], b[5][:2], f[7], 0, 0.0, 0.0)
@@ -207,19 +260,19 @@ def law_figures(
         record.start[node, 0], record.count[node] = 0.0, 0
     rewind(chain, state)
     work = LawWork(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8:], r[8 + STAGES :], r[8 + 2 * STAGES :])
-    most = MAX_ROUND_TRIPS * 1.0
+    most, close = MAX_ROUND_TRIPS * 1.0, tolerance if tolerance > 0.0 else TOLERANCE
     wait, until = (np.inf, min(asked, most)) if asked > 0.0 else (law_drawn.WAIT, most)
     of_law = laws, yes[0], yes[1], pulse, b[6]
-    status = solve(chain, record, state, work, ANY_LAW, ANY_LAW, *of_law, wait, NO_PULL, until, TOLERANCE)
-    silent = SILENT * TOLERANCE if yes[1][0] else 0.0
-    pressed, table = carray(pressing, (CONTACTS, 2)), carray(contacts, (CONTACTS, law_drawn.CONTACT_COLUMNS))
+    status = solve(chain, record, state, work, ANY_LAW, ANY_LAW, *of_law, wait, NO_PULL, until, close)
+    silent = SILENT * close if yes[1][0] else 0.0
+    pressed = carray(pressing, (CONTACTS, 2))
     count = periods(record, 0, np.bool_(False), ANY_LAW, laws[0], yes[0][0], silent, work.slopes, pressed)
     if status != (STOPPED if asked > 0.0 else PARTED) or count < 1:
         return NO_ROOM
-    law_drawn._table(record, pressed, count, table)
-    last = min(asked if asked > 0.0 else table[count - 1, law_drawn.END] + AFTERGLOW, state.time[0], state.time[1])
+    parted = end_of(record, 0, pressed[count - 1, 1])
+    last = min(asked if asked > 0.0 else parted + AFTERGLOW, state.time[0], state.time[1])
     o = carray(out, (COLUMNS,))
-    _law_figures(chain, record, laws[0], work.slopes, last, table, count, carray(kept, (law_drawn.COLUMNS,)), o)
+    _law_figures(record, reflection < 0.0, laws[0], work.slopes, last, pressed, count, o)
     o[STRESS] = np.nan
     if not asked > 0.0:
         turned, high = carray(at, (LAW_TURNS,)), carray(waves, (LAW_TURNS,))
@@ -260,7 +313,7 @@ FIGURE_ENTRIES = {
     ),
     "law_figures": Entry(
         law_figures,
-        3,
+        4,
         {
             "constants": 2 * (CONSTANTS + 1),
             "beside": 8 * 3,
@@ -270,8 +323,6 @@ FIGURE_ENTRIES = {
             "rows": (8 + 3 * STAGES) * POINTS,
             "nothing": 2 + POINTS,
             "pressing": 2 * CONTACTS,
-            "contacts": law_drawn.CONTACT_COLUMNS * CONTACTS,
-            "kept": law_drawn.COLUMNS,
             "at": LAW_TURNS,
             "waves": LAW_TURNS,
             "out": COLUMNS,

@@ -177,15 +177,16 @@ export class Kernels extends Memory {
    * @param {1 | -1} reflection
    * @param {Pick<LawRecord, 'name' | 'constants'>} law  rigid without constants
    * @param {number} asked
+   * @param {number} tolerance  of a step through a law; 0: as what is drawn
    * @returns {RodFigures | null}
    */
-  figures(beta, reflection, law, asked = 0) {
+  figures(beta, reflection, law, asked = 0, tolerance = 0) {
     if (!law.constants.length) {
       return asked ? null : /** @type {any} */ (this.call('rod_figures', beta, reflection)?.figures ?? null);
     }
     if (!this.roomFor('law_figures')) return null;
     this.#giveBothEnds('law_figures', law);
-    return /** @type {any} */ (this.call('law_figures', beta, reflection, asked)?.figures ?? null);
+    return /** @type {any} */ (this.call('law_figures', beta, reflection, asked, tolerance)?.figures ?? null);
   }
   /**
    * Either by the lowest modes of the rod.

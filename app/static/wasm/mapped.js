@@ -28,13 +28,14 @@ function answered(answers, frame, chosen) {
  * @param {Answers} answers
  * @param {Frame} frame  of the server
  * @param {Chosen} chosen
+ * @param {number} [tolerance]  of a step of waves through a contact law; 0: that of what is drawn
  * @returns {Float64Array}  (COLUMNS,)
  */
-export function figuresAt(answers, frame, chosen) {
+export function figuresAt(answers, frame, chosen, tolerance = 0) {
   if (!answered(answers, frame, chosen)) return listed(null);
   if (frame.kind === 'axial' && isRod(frame)) {
     answers.restLater();
-    return listed(ofRod(answers, frame, chosen));
+    return listed(ofRod(answers, frame, chosen, tolerance));
   }
   return figuresOfWhole(answers.answer(frame, chosen));
 }
@@ -44,13 +45,14 @@ export function figuresAt(answers, frame, chosen) {
  * @param {Answers} answers
  * @param {AxialFrame} frame
  * @param {Chosen} chosen
+ * @param {number} tolerance
  * @returns {Row | null}
  */
-function ofRod({ kernels }, frame, chosen) {
+function ofRod({ kernels }, frame, chosen, tolerance) {
   const striking = strikingBy(kernels, frame, chosen);
   if (!striking) return null;
   const { asked, beta, law, mass, side, speed, times } = striking;
-  const found = kernels.figures(beta, side, law, asked);
+  const found = kernels.figures(beta, side, law, asked, tolerance);
   if (!found) return null;
   const { forceUnit, stressUnit, target, trip } = frame;
   const force = forceUnit * times;

@@ -185,8 +185,6 @@ export const ROOM = {
     rows: 182,
     nothing: 9,
     pressing: 128,
-    contacts: 320,
-    kept: 13,
     at: 8000,
     waves: 8000,
     out: 11,

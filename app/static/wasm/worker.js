@@ -9,8 +9,13 @@ import { figuresAt } from './mapped.js';
 /** @typedef {{ kind: 'module', module: WebAssembly.Module }} GivenModule */
 /**
  * @typedef {{ kind: 'scene', frame: Frame }} GivenScene
- * @typedef {{ kind: 'points', job: number, chosen: Chosen, names: string[], rows: Float64Array }} Points  rows (points,
- *   names): values of these choices; chosen: all others that differ from those of the scene
+ * @typedef {object} Points
+ * @property {'points'} kind
+ * @property {number} job
+ * @property {Chosen} chosen  all other choices that differ from those of the scene
+ * @property {string[]} names
+ * @property {Float64Array} rows  (points, names): values of these choices
+ * @property {number} [tolerance]  as `figuresAt` takes it
  */
 /** @typedef {GivenModule | GivenScene | Points} Given */
 
@@ -26,10 +31,11 @@ let scene = null;
 /**
  * Of one point: none where anything fails, which leaves those after it as they are.
  * @param {Chosen} chosen
+ * @param {number} [tolerance]
  */
-function figures(chosen) {
+function figures(chosen, tolerance) {
   try {
-    if (answers && scene) return figuresAt(answers, scene.frame, { ...scene.frame.chosen, ...chosen });
+    if (answers && scene) return figuresAt(answers, scene.frame, { ...scene.frame.chosen, ...chosen }, tolerance);
   } catch {
     answers?.kernels.restore(); // a trap or an odd message: what is asked next starts anew
   }
@@ -37,13 +43,13 @@ function figures(chosen) {
 }
 
 /** @param {Points} points */
-function solve({ chosen, job, names, rows }) {
+function solve({ chosen, job, names, rows, tolerance }) {
   const begun = performance.now();
   const count = names.length ? Math.floor(rows.length / names.length) : 0;
   const found = new Float64Array(count * COLUMNS.length);
   for (let n = 0; n < count; n++) {
     const varied = Object.fromEntries(names.map((name, k) => [name, rows[n * names.length + k]]));
-    found.set(figures({ ...chosen, ...varied }), n * COLUMNS.length);
+    found.set(figures({ ...chosen, ...varied }, tolerance), n * COLUMNS.length);
   }
   own.postMessage({ job, found, spent: performance.now() - begun }, [found.buffer]);
 }

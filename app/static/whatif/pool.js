@@ -15,6 +15,7 @@ const SMALL = 20; // ms: what takes longer is not given several at once, as what
  * @property {Chosen} chosen  choices that differ from those of the scene, but for those that its points differ by
  * @property {string[]} names  of these
  * @property {Float64Array} rows  (points, names)
+ * @property {number} [tolerance]  of a step of waves through a contact law; none: that of what is drawn
  * @property {(found: Float64Array | null, spent: number) => void} done  (points, COLUMNS) as app/static/wasm/columns.js
  *   has them, or null where the worker has died; ms
  */
@@ -149,8 +150,8 @@ export class Pool {
         const job = this.next();
         if (!job) return;
         own.jobs.set(++this.numbered, job);
-        const { chosen, names, rows } = job;
-        own.worker.postMessage({ kind: 'points', job: this.numbered, chosen, names, rows });
+        const { chosen, names, rows, tolerance } = job;
+        own.worker.postMessage({ kind: 'points', job: this.numbered, chosen, names, rows, tolerance });
       }
     }
   }

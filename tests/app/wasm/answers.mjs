@@ -82,8 +82,8 @@ function balance(found, [made, duration]) {
   return Object.fromEntries(lists);
 }
 
-const figures = (found, [beta, reflection, name, constants, , asked]) =>
-  found.figures(beta, reflection, { name, constants }, asked) ?? {};
+const figures = (found, [beta, reflection, name, constants, , asked, tolerance]) =>
+  found.figures(beta, reflection, { name, constants }, asked, tolerance) ?? {};
 
 const KINDS = { figures, rod, law, modes, beam, spring, compact, chain, balance };
 

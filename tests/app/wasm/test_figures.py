@@ -115,6 +115,19 @@ def test_the_largest_stress_of_a_fixed_rod_is_twice_its_highest_wave():
         assert here["stress"] == pytest.approx(2.0 * sent, rel=1e-5), solution.scene.table()
 
 
+@pytest.mark.parametrize("tolerance", [1e-5, 1e-7])
+def test_with_longer_steps_they_differ_by_little(tolerance):
+    smooth = [solution.scene.contact for solution, _ in solved()]
+    known = [each for each, law in zip(solved(), smooth, strict=True) if not law.LOSSY and not law.PLASTIC]
+    exact = [(solution.scene, here) for solution, here in known if not solution.scene.rigid_contact]
+    assert len(exact) > 10
+    found = by_node({"figures": [[*impact_of(scene), tolerance] for scene, _ in exact]})["figures"]
+    names = ("final", "peak", "energy")
+    here, there = (np.array([[each[name] for name in names] for each in of]) for of in ([h for _, h in exact], found))
+    off = np.abs(there - here).max(axis=0)
+    assert (off > 0.0).all() and (off < 100.0 * tolerance).all()
+
+
 def test_of_an_impact_that_is_followed_for_a_time_there_is_no_stress():
     given = [impact_of(scene, asked=0.7) for scene in scenes()[:5]]
     found = by_node({"figures": given})["figures"]
