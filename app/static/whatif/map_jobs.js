@@ -9,6 +9,7 @@ import { counted, halve } from './lattice.js';
 /** @import { WhatIf } from './whatif.js' */
 
 const SPENT = { own: { held: 5, free: 9 }, served: { held: 200, free: 400 } }; // ms that a job takes
+const TOLERANCE = 1e-5; // of a step through a contact law: colours need no more, and it is some four times as quick
 const [FEW, MANY] = [4, 256]; // impacts in a job
 
 export class MapJobs {
@@ -68,7 +69,7 @@ export class MapJobs {
     if (key === this.own.key) return null;
     this.own.key = key;
     const rows = Float64Array.of(this.whatif.value(axes.x), this.whatif.value(axes.y));
-    return this.#job(rows, (found) => {
+    return this.#job(rows, 0, (found) => {
       if (found && !found[0]) this.own.found = found;
     });
   }
@@ -88,7 +89,7 @@ export class MapJobs {
     const keys = some.map(([i, j]) => view.key(i, j));
     for (const key of keys) lattice.asked.add(key);
     const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
-    return this.#job(rows, (found, why) => {
+    return this.#job(rows, TOLERANCE, (found, why) => {
       const left = keys.flatMap((key, k) => (found?.[k * WIDTH] ? [k] : []));
       keys.forEach((key, k) => {
         lattice.asked.delete(key);
@@ -131,7 +132,7 @@ export class MapJobs {
     if (!all.length) return null;
     for (const { name } of all) lattice.halving.add(name);
     const rows = Float64Array.from(all.flatMap(({ row }) => row));
-    return this.#job(rows, (found) => {
+    return this.#job(rows, TOLERANCE, (found) => {
       all.forEach(({ at, edge, name }, k) => {
         lattice.halving.delete(name);
         lattice.version += 1;
@@ -141,16 +142,18 @@ export class MapJobs {
   }
   /**
    * @param {Float64Array} rows
+   * @param {number} tolerance
    * @param {(found: Float64Array | null, why?: Map<number, string>) => void} take
    * @returns {Job}
    */
-  #job(rows, take) {
+  #job(rows, tolerance, take) {
     this.under += 1;
     const { chosen, named } = this.whatif;
     return {
       chosen,
       names: [named.x, named.y],
       rows,
+      tolerance,
       done: (found, _, why) => {
         this.under -= 1;
         take(found, why);

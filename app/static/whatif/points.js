@@ -11,6 +11,7 @@ import { Served } from './server.js';
  * @property {Record<string, any>} chosen  the other choices
  * @property {string[]} names  of choices that its impacts differ by
  * @property {Float64Array} rows  their values, impact by impact
+ * @property {number} [tolerance]  of a step through a contact law; 0: that of the page's own answers
  * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>) => void} done
  */
 /**

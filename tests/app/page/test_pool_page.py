@@ -11,7 +11,10 @@ from ..wasm.test_mapped import chosen, known
 # What a pool makes of rows about the scene that is shown, in so many jobs; and what each column is called.
 SOLVED = """async ([names, chosen, jobs]) => {
   const page = performance.getEntriesByType('resource').map(({ name }) => name).find((name) => /page[.]js$/.test(name));
-  const { Pool } = await import(page.replace('page.js', 'whatif/pool.js'));
+  const { door } = strikewave.page.opening;
+  await door.open();
+  const Pool = door.whatif.points.own.constructor;
+  door.close();
   const { COLUMNS } = await import(page.replace('page.js', 'wasm/answers.js'));
   const waiting = [...jobs], found = [], all = Promise.withResolvers();
   const done = (k) => (rows, spent) => {
@@ -20,12 +23,12 @@ SOLVED = """async ([names, chosen, jobs]) => {
   };
   const pool = new Pool(() => {
     const rows = waiting.shift();
-    return rows ? { chosen, rows: new Float64Array(rows), done: done(jobs.length - waiting.length - 1) } : null;
+    return rows ? { chosen, names, rows: new Float64Array(rows), done: done(jobs.length - waiting.length - 1) } : null;
   });
   if (!(await pool.prepare())) return null;
   const { frame } = strikewave.page;
   if (!pool.covers(frame, names)) return 'not covered';
-  pool.scene(frame, names);
+  pool.scene(frame);
   pool.feed();
   await all.promise;
   const { idle, workers: { length } } = pool;

@@ -5,9 +5,12 @@ import pytest
 # Points over these names at these rows, with what else is chosen by now.
 FIND = """async ([names, rows, more]) => {
   const script = document.querySelector('link[rel=modulepreload][href$="/page.js"]').href;
-  const { Served } = await import(script.replace('page.js', 'whatif/server.js'));
-  const { COLUMNS } = await import(script.replace('page.js', 'wasm/columns.js'));
   const { page } = strikewave;
+  const { door } = page.opening;
+  await door.open();
+  const Served = door.whatif.points.served.constructor;
+  door.close();
+  const { COLUMNS } = await import(script.replace('page.js', 'wasm/answers.js'));
   const { frame } = page;
   const chosen = { ...frame.chosen, ...more };
   const before = [location.href, history.length, page.waiter.root?.textContent, page.frame];
