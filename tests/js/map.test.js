@@ -70,7 +70,8 @@ test('marks stand at round values within the axis', () => {
 function complete(lattice, axes, size, of, whole = false) {
   for (let total = 0; ; ) {
     const view = new Window(lattice, axes, size, true);
-    const wanted = view.plan([0.5, 0.5], whole).flat();
+    const [first = view.mend()] = view.plan([0.5, 0.5], whole); // what comes first, as it is asked
+    const wanted = [...first];
     const edges = wanted.length ? [] : view.halves();
     if (!wanted.length && !edges.length) return { total, view };
     total += wanted.length + edges.length;
@@ -83,11 +84,11 @@ const AXES = { x: RATIO, y: SPEED, x0: 1.5, x1: 4.5, y0: 0, y1: 4 };
 
 test('a map finds what it needs once, spares what is straight, and halves where contacts change', () => {
   const of = (ratio, speed) => ({
-    ...{ contacts: ratio * speed > 1 ? 2 : 1, peak_force: ratio * speed, impactor_velocity: -speed / 100 },
+    ...{ contacts: ratio * speed > 1 ? 2 : 1, peak_force: ratio * speed, impactor_velocity: -0.2 * Math.log10(speed) },
   });
   const lattice = new Lattice(1);
   const { total, view } = complete(lattice, AXES, [600, 400], of);
-  assert.ok(lattice.count < 0.8 * view.nx * view.ny && total > 100);
+  assert.ok(lattice.count < 0.6 * view.nx * view.ny && total > 100, `${lattice.count} of ${view.nx * view.ny}`);
   view.fill('peak_force');
   let [off, edges] = [0, 0];
   for (let j = 0; j < view.ny; j++)

@@ -1,7 +1,7 @@
 // Impacts on a lattice over two axes, kept: what has been found there stays true as long as nothing else is chosen. A
 // window of it is what a map shows; which points it still needs, coarse ones first.
 import { longOf, valueAt } from './places.js';
-import { NAMES, PLACE, RESULTS, WIDTH, shownOf, valueOf } from './results.js';
+import { NAMES, PLACE, WIDTH, shownOf, valueOf } from './results.js';
 
 /** @import { Axis } from './axes.js' */
 /** @import { Result } from './results.js' */
@@ -11,7 +11,7 @@ const LEAST = 3; // so that the coarse points have a step that divides one
 const COARSE = 8; // steps of the first picture, in steps of the finest
 const ROW = 2 ** 24;
 const CELL = [7, 10]; // pixels, at least, of a step: where one is found in a moment, and where that takes longer
-const STRAIGHT = 0.004; // of its scale: what a straight line may be off by
+const STRAIGHT = 0.002; // of its scale, or of a decade: what a straight line may be off by
 const HALVINGS = 5; // of a step of the lattice, until a change of contacts is found to 1e-3 of an axis
 export const MISSING = -1;
 export const MANY = 6; // contacts: with as many or more each impact has a number of its own, and there are no lines
@@ -212,17 +212,36 @@ export class Window {
     return wanted;
   }
   /**
-   * The known corners about a point of a finer level.
+   * Points that were spared beside known ones with other contacts: there a change goes between them.
+   * @returns {Point[]}
+   */
+  mend() {
+    const { index, lattice, nx, ny } = this;
+    if (!this.contacts.length) this.fill('contacts');
+    /** @type {Point[]} */
+    const found = [];
+    for (let j = 0; j < ny; j++)
+      for (let i = 0; i < nx; i++) {
+        const k = j * nx + i;
+        if (index[k] !== MISSING || !this.contacts[k] || lattice.asked.has(this.key(i, j))) continue;
+        const near = [i ? k - 1 : k, i < nx - 1 ? k + 1 : k, k - nx, k + nx];
+        const torn = near.some((each) => index[each] >= 0 && this.contacts[each] !== this.contacts[k]);
+        if (torn && this.#inside(i, j, 1)) found.push([i, j]);
+      }
+    return found;
+  }
+  /**
+   * The corners about a point of a finer level.
    * @param {number} i
    * @param {number} j
    * @param {number} stride
    */
   *#corners(i, j, stride) {
-    const { index, nx, ny } = this;
+    const { nx, ny } = this;
     const s = 2 * stride;
     const [a, b] = [i - (i % s), j - (j % s)];
     for (const [p, q] of [[a, b], [a + s, b], [a, b + s], [a + s, b + s]]) // prettier-ignore
-      if (p < nx && q < ny && index[q * nx + p] !== MISSING) yield /** @type {Point} */ ([p, q]);
+      if (p < nx && q < ny) yield /** @type {Point} */ ([p, q]);
   }
   /**
    * Whether these differ in their number of contacts.
@@ -233,7 +252,8 @@ export class Window {
   #torn(i, j, stride) {
     const { index, lattice, nx } = this;
     const all = [...this.#corners(i, j, stride)].map(([p, q]) => lattice.contacts(index[q * nx + p]));
-    return all.some((each) => each !== all[0]);
+    const known = all.filter((each) => each !== 0);
+    return known.some((each) => each !== known[0]);
   }
   /**
    * Whether a straight line between them will do: by their second differences, of every result.
@@ -242,11 +262,10 @@ export class Window {
    * @param {number} stride
    */
   #straight(i, j, stride) {
-    const { index, nx, ny } = this;
+    const { index, lattice, nx, ny } = this;
     const s = 2 * stride;
-    const corners = [...this.#corners(i, j, stride)];
-    if (corners.length < 4) return false;
-    for (const [p, q] of corners)
+    for (const [p, q] of this.#corners(i, j, stride)) {
+      if (index[q * nx + p] === MISSING && !lattice.spared.has(this.key(p, q))) return false;
       for (const [x, y] of [
         [s, 0],
         [0, s],
@@ -256,17 +275,18 @@ export class Window {
         const all = [index[(q - y) * nx + p - x], index[q * nx + p], index[(q + y) * nx + p + x]];
         if (!all.includes(MISSING) && this.#bent(all)) return false;
       }
+    }
     return true;
   }
   /** @param {number[]} points  three in a row */
   #bent(points) {
     const { data } = this.lattice;
     return NAMES.some((name) => {
-      if (RESULTS[name].unit === '') return false;
-      const [a, b, c] = points.map((each) => data[each * WIDTH + PLACE[name]]);
-      const bend = a + c - 2 * b;
-      const { log } = shownOf(name);
-      return Math.abs(bend) > 8 * STRAIGHT * (log ? Math.abs(b) : (this.scales[name] ?? Math.abs(b)));
+      const { log, whole } = shownOf(name);
+      const of = (/** @type {number} */ point) => data[point * WIDTH + PLACE[name]];
+      const [before, here, after] = points.map((point) => (log ? Math.log10(of(point)) : of(point)));
+      const bend = Math.abs(before + after - 2 * here);
+      return !whole && bend > 8 * STRAIGHT * (log ? 1 : this.scales[name]);
     });
   }
   /** How far each result reaches in what is known, so that what is small beside that is. */

@@ -56,6 +56,10 @@ export class MapJobs {
       if (gain) return gain;
     }
     while (this.wanted.length && !this.wanted[0].length) this.wanted.shift();
+    if (!this.wanted.length && !this.halves) {
+      this.wanted = [view.mend()].filter(({ length }) => length);
+      this.halves = view.halves();
+    }
     return this.wanted.length ? this.#points(view) : this.#edges(view);
   }
   /**
@@ -127,9 +131,8 @@ export class MapJobs {
    */
   #edges(view) {
     const { lattice } = view;
-    this.halves ??= view.halves();
-    const all = this.halves.splice(0, this.#many);
-    if (!all.length) return null;
+    const all = this.halves?.splice(0, this.#many);
+    if (!all?.length) return null;
     for (const { name } of all) lattice.halving.add(name);
     const rows = Float64Array.from(all.flatMap(({ row }) => row));
     return this.#job(rows, TOLERANCE, (found) => {

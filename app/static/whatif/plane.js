@@ -39,7 +39,7 @@ const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
 
 export class Plane {
   base = make('canvas');
-  over = make('canvas', { tabIndex: 0 });
+  over = make('canvas', { tabIndex: 0, role: 'application', ariaLabel: text('whatif.about') });
   raster = new Raster();
   plot = { x: 0, y: 0, w: 1, h: 1 };
   narrow = false;
