@@ -23,7 +23,7 @@ export class MapJobs {
     this.whatif = whatif;
   }
   get idle() {
-    return !this.under && !this.wanted.length;
+    return !this.under && !this.wanted.length && (this.whatif.modes.shown?.jobs.idle ?? true);
   }
   /**
    * @param {Window | null} view
@@ -44,29 +44,30 @@ export class MapJobs {
   /** @returns {Job | null} */
   next() {
     const { view } = this;
-    if (!view) return null;
-    const first = this.#own(view) ?? this.whatif.goal.seek.next();
+    const { modes } = this.whatif;
+    if (!view && !modes.shown) return null;
+    const first = this.#own() ?? this.whatif.goal.seek.next();
     if (first) return first;
+    if (!view) return modes.next(this.many);
     while (this.wanted.length && !this.wanted[0].length) this.wanted.shift();
     return this.wanted.length ? this.#points(view) : this.#edges(view);
   }
   /**
    * The scene itself, where the page's answer does not say all that is shown.
-   * @param {Window} view
    * @returns {Job | null}
    */
-  #own({ axes }) {
-    const { chosen } = this.whatif;
+  #own() {
+    const { chosen, x, y } = this.whatif;
     const key = JSON.stringify(chosen);
     if (key === this.own.key) return null;
     this.own.key = key;
-    const rows = Float64Array.of(this.whatif.value(axes.x), this.whatif.value(axes.y));
+    const rows = Float64Array.of(this.whatif.value(x), this.whatif.value(y));
     return this.#job(rows, (found) => {
       if (found && !found[0]) this.own.found = found;
     });
   }
   /** Impacts in the time of a job. */
-  get #many() {
+  get many() {
     const { held, points } = this.whatif;
     return Math.max(FEW, Math.min(MANY, Math.round(SPENT[held ? 'held' : 'free'] / points.spent)));
   }
@@ -76,7 +77,7 @@ export class MapJobs {
    */
   #points(view) {
     const { lattice } = view;
-    const some = this.wanted[0].splice(0, this.#many);
+    const some = this.wanted[0].splice(0, this.many);
     const keys = some.map(([i, j]) => view.key(i, j));
     for (const key of keys) lattice.asked.add(key);
     const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
@@ -95,7 +96,7 @@ export class MapJobs {
    */
   #edges(view) {
     const { lattice } = view;
-    const all = view.halves(this.#many);
+    const all = view.halves(this.many);
     if (!all.length) return null;
     for (const { name } of all) lattice.halving.add(name);
     const rows = Float64Array.from(all.flatMap(({ row }) => row));

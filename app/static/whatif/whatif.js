@@ -1,6 +1,6 @@
 // What if …: the scene as a point on a map over two choices. The picture lives on beside it; whatever is moved, point,
 // slider or axis, thousands of impacts follow.
-import { make, segments, write } from '../browser/dom.js';
+import { make, write } from '../browser/dom.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { axesOf } from './axes.js';
@@ -8,6 +8,7 @@ import { Goal } from './goal.js';
 import { Hands } from './hands.js';
 import { Lattice, Window } from './lattice.js';
 import { MapJobs } from './map_jobs.js';
+import { Modes } from './modes.js';
 import { Plane } from './plane.js';
 import { placeOf, usualRange } from './places.js';
 import { Points } from './points.js';
@@ -63,13 +64,13 @@ export class WhatIf {
     this.tiles = new Tiles((result) => this.choose('of', result));
     this.status = make('p', { className: 'whatif-status', role: 'status' });
     this.words = make('p', { className: 'whatif-said', ariaLive: 'polite' });
-    this.modes = segments(text('whatif.view'), ['map'], () => {}, () => text('whatif.map')); // prettier-ignore
+    this.modes = new Modes(this);
     const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
-    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.back);
+    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root, this.back);
     this.side = make('div', { className: 'whatif-side' }, this.words, this.tiles.root, this.goal.root, this.status);
-    this.parts = [this.head, this.plane.root, this.side];
+    this.parts = [this.head, this.plane.root, ...this.modes.parts, this.side];
     this.hands = new Hands(this);
   }
   /**
@@ -79,8 +80,8 @@ export class WhatIf {
   async enter(said) {
     if (this.open) return;
     this.open = true;
-    this.asked = said;
-    this.page.root.dataset.whatif = 'map';
+    this.asked = this.modes.follow(said);
+    this.page.root.dataset.whatif = this.modes.mode;
     this.page.root.append(...this.parts);
     if (!this.points.ready) {
       write(this.status, text('whatif.preparing'));
@@ -93,7 +94,9 @@ export class WhatIf {
   /** What a link says of it: the result, both axes, and what is wanted. */
   get said() {
     const wanted = this.wanted[this.result];
-    return [this.result, this.named.x, this.named.y, ...(wanted === undefined ? [] : [wanted])].join(',');
+    return (
+      this.modes.said + [this.result, this.named.x, this.named.y, ...(wanted === undefined ? [] : [wanted])].join(',')
+    );
   }
   /** As a link says. */
   #follow() {
@@ -188,7 +191,7 @@ export class WhatIf {
   }
   /** Impacts have come in: shown at once where they are waited for, else some times a second. */
   came() {
-    if (this.held || this.jobs.coarse) this.schedule();
+    if (this.held || (this.modes.shown?.jobs.rough ?? this.jobs.coarse)) this.schedule();
     else this.streaming ??= window.setTimeout(() => [(this.streaming = undefined), this.schedule()], STREAM);
   }
   /** What is kept of the scene as it is chosen, but for its axes. */
@@ -206,11 +209,16 @@ export class WhatIf {
   draw() {
     this.due = 0;
     const { plane, points, x, y } = this;
-    if (!this.open || !points.ready || !plane.measure()) return;
+    const { shown } = this.modes;
+    if (!this.open || !points.ready || !(shown ?? plane).measure()) return;
     if (!x || !y || !points.about(this.chosen, [x.name, y.name])) {
       this.view = null;
       this.jobs.plan(null);
       write(this.status, text(x && y ? 'whatif.not-here' : 'whatif.no-axes'));
+      return;
+    }
+    if (shown) {
+      this.#instead(shown);
       return;
     }
     this.lattice = this.#lattice();
@@ -227,6 +235,24 @@ export class WhatIf {
     this.#scale();
     if (this.domain) plane.draw(this.view, this.result, this.domain, this.wanted[this.result] ?? null, this.held);
     this.over();
+    this.goal.follow();
+    this.goal.draw();
+    this.#say();
+    points.feed();
+  }
+  /** @param {NonNullable<Modes['shown']>} shown  All that follows where another view takes the place of the map. */
+  #instead(shown) {
+    const { points, x, y } = this;
+    this.view = null;
+    this.jobs.plan(null);
+    const results = this.#results();
+    if (!results.includes(this.result)) [this.result] = results;
+    this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
+    this.tiles.offer(results);
+    this.tiles.say((result) => this.here(result), this.result);
+    shown.draw(results);
+    this.domain = shown.domain;
+    this.domainOf = '';
     this.goal.follow();
     this.goal.draw();
     this.#say();
