@@ -3,6 +3,7 @@ import { segments } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { Curves } from './curves.js';
 import { SLOTS } from './sentence.js';
+import { Tolerance } from './tolerance.js';
 
 /** @import { Job } from './points.js' */
 /** @import { WhatIf } from './whatif.js' */
@@ -12,9 +13,10 @@ import { SLOTS } from './sentence.js';
 const SENTENCES = {
   map: () => text('whatif.sentence', SLOTS),
   curves: () => text('whatif.sentence-curves', SLOTS),
+  tolerance: () => text('whatif.sentence-tolerance', SLOTS),
 };
 const NAMES = /** @type {Mode[]} */ (Object.keys(SENTENCES));
-const LABELS = { map: text('whatif.map'), curves: text('whatif.curves') };
+const LABELS = { map: text('whatif.map'), curves: text('whatif.curves'), tolerance: text('whatif.tolerance') };
 
 export class Modes {
   /** @type {Mode} */ mode = 'map';
@@ -23,6 +25,7 @@ export class Modes {
   constructor(whatif) {
     this.whatif = whatif;
     this.curves = new Curves(whatif);
+    this.tolerance = new Tolerance(whatif);
     const turn = (/** @type {string} */ name) => {
       this.turn(/** @type {Mode} */ (name));
       whatif.page.history.later();
@@ -36,7 +39,7 @@ export class Modes {
     return this.mode === 'map' ? null : this[this.mode];
   }
   get parts() {
-    return [this.curves.root];
+    return [this.curves.root, this.tolerance.root];
   }
   /** @param {Mode} mode */
   turn(mode) {
