@@ -1,11 +1,12 @@
 // The map without a browser: places along its axes, its lattice, where contacts change, and a value that is wanted.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Lattice, MANY, Window, counted, halve } from '../../app/static/whatif/lattice.js';
+import { Lattice, MANY, counted, halve } from '../../app/static/whatif/lattice.js';
 import { longOf, marksOf, placeOf, roundAt, usualRange, valueAt } from '../../app/static/whatif/places.js';
 import { PLACE, WIDTH } from '../../app/static/whatif/results.js';
 import { Seek, nearestTo } from '../../app/static/whatif/seek.js';
 import { contoursOf, levelsOf } from '../../app/static/whatif/contours.js';
+import { Window } from '../../app/static/whatif/window.js';
 
 const axis = (name, low, high, more = {}) => ({
   ...{ name, title: name, unit: '', factor: 1, low, high, log: low > 0 && high >= 10 * low, whole: false },

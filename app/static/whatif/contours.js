@@ -1,7 +1,7 @@
 // Lines of equal value through a map, by marching squares over its pixels, not across a change in the number of
 // contacts; and the parts of it that have the same number.
 
-/** @import { Window } from './lattice.js' */
+/** @import { Window } from './window.js' */
 /** @import { Raster } from './raster.js' */
 
 const EVERY = 2; // pixels of the picture, between which a line is straight

@@ -4,7 +4,7 @@ import { placeOf } from './places.js';
 import { PLACE, WIDTH } from './results.js';
 import { counted, halve } from './lattice.js';
 
-/** @import { Window, Point } from './lattice.js' */
+/** @import { Window, Point } from './window.js' */
 /** @import { Job } from './points.js' */
 /** @import { WhatIf } from './whatif.js' */
 
@@ -25,7 +25,8 @@ export class MapJobs {
     this.whatif = whatif;
   }
   get idle() {
-    return !this.under && !this.wanted.length && !this.halves?.length;
+    const others = this.whatif.modes.shown?.jobs.idle ?? true;
+    return others && !this.under && !this.wanted.length && !this.halves?.length;
   }
   /**
    * @param {Window | null} view
@@ -47,14 +48,13 @@ export class MapJobs {
   /** @returns {Job | null} */
   next() {
     const { view } = this;
-    if (!view) return null;
-    const { gains, goal } = this.whatif;
-    const first = this.#own(view) ?? goal.pulling.next() ?? goal.seek.next();
+    const { gains, goal, modes } = this.whatif;
+    if (!view && !modes.shown) return null;
+    const first = this.#own() ?? goal.pulling.next() ?? goal.seek.next();
     if (first) return first;
-    if (!this.coarse) {
-      const gain = gains.next();
-      if (gain) return gain;
-    }
+    if (!view) return modes.next(this.many) ?? gains.next();
+    const gain = this.coarse ? null : gains.next();
+    if (gain) return gain;
     while (this.wanted.length && !this.wanted[0].length) this.wanted.shift();
     if (!this.wanted.length && !this.halves) {
       this.wanted = [view.mend()].filter(({ length }) => length);
@@ -64,21 +64,20 @@ export class MapJobs {
   }
   /**
    * The scene itself, where the page's answer does not say all that is shown.
-   * @param {Window} view
    * @returns {Job | null}
    */
-  #own({ axes }) {
-    const { chosen } = this.whatif;
+  #own() {
+    const { chosen, x, y } = this.whatif;
     const key = JSON.stringify(chosen);
     if (key === this.own.key) return null;
     this.own.key = key;
-    const rows = Float64Array.of(this.whatif.value(axes.x), this.whatif.value(axes.y));
+    const rows = Float64Array.of(this.whatif.value(x), this.whatif.value(y));
     return this.#job(rows, 0, (found) => {
       if (found && !found[0]) this.own.found = found;
     });
   }
   /** Impacts in the time of a job. */
-  get #many() {
+  get many() {
     const { held, points } = this.whatif;
     const spent = SPENT[points.source === points.own ? 'own' : 'served'][held ? 'held' : 'free'];
     return Math.max(FEW, Math.min(MANY, Math.round(spent / points.spent)));
@@ -89,7 +88,7 @@ export class MapJobs {
    */
   #points(view) {
     const { lattice } = view;
-    const some = this.wanted[0].splice(0, this.#many);
+    const some = this.wanted[0].splice(0, this.many);
     const keys = some.map(([i, j]) => view.key(i, j));
     for (const key of keys) lattice.asked.add(key);
     const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
@@ -131,7 +130,7 @@ export class MapJobs {
    */
   #edges(view) {
     const { lattice } = view;
-    const all = this.halves?.splice(0, this.#many);
+    const all = this.halves?.splice(0, this.many);
     if (!all?.length) return null;
     for (const { name } of all) lattice.halving.add(name);
     const rows = Float64Array.from(all.flatMap(({ row }) => row));

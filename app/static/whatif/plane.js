@@ -13,7 +13,7 @@ import { Raster } from './raster.js';
 import { shownOf, written } from './results.js';
 
 /** @import { Axis } from './axes.js' */
-/** @import { Window } from './lattice.js' */
+/** @import { Window } from './window.js' */
 /** @import { Result } from './results.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {[low: number, high: number]} Domain  logarithms where the scale is */

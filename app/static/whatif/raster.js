@@ -1,7 +1,7 @@
 // Colours of a map: values between four points of the lattice, never across a change in the number of contacts, where
 // the line that parts a cell says which side a pixel is on.
 
-/** @import { Window } from './lattice.js' */
+/** @import { Window } from './window.js' */
 
 /** @typedef {[x: number, y: number][]} Cut  where a change crosses the sides of a cell, 0 to 1 */
 /** @typedef {{ ends: Cut, found: boolean }} Torn */

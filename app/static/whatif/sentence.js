@@ -6,7 +6,7 @@ import { titleOf } from './results.js';
 /** @import { Axis } from './axes.js' */
 /** @import { Result } from './results.js' */
 
-const SLOTS = { of: '⟦of⟧', x: '⟦x⟧', y: '⟦y⟧' }; // stand for the choices
+export const SLOTS = { of: '⟦of⟧', x: '⟦x⟧', y: '⟦y⟧' }; // stand for the choices
 
 /** @param {Axis} axis */
 const nameOf = ({ of, title }) => (of ? `${title}, ${of}` : title);
@@ -27,12 +27,17 @@ export class Sentence {
       y: select('y', text('whatif.upwards')),
     };
     this.root = make('h2', { className: 'whatif-sentence', tabIndex: -1 });
-    for (const piece of text('whatif.sentence', SLOTS).split(/(⟦\w+⟧)/)) {
+    this.say(text('whatif.sentence', SLOTS));
+  }
+  /** @param {string} sentence  with signs in the places of choices */
+  say(sentence) {
+    const pieces = sentence.split(/(⟦\w+⟧)/).map((piece) => {
       const slot = /** @type {'of' | 'x' | 'y' | undefined} */ (
         Object.entries(SLOTS).find(([, sign]) => sign === piece)?.[0]
       );
-      this.root.append(slot ? this.choices[slot] : piece);
-    }
+      return slot ? this.choices[slot] : piece;
+    });
+    this.root.replaceChildren(...pieces);
   }
   /**
    * @param {{ results: Result[], axes: Axis[], of: Result, x: Axis, y: Axis }} shown

@@ -6,7 +6,7 @@ import { COLOR, disc } from './ink.js';
 import { MOST_CONTACTS, colouring, paletteOf } from './colours.js';
 import { shortOf, shownOf, titleOf, written } from './results.js';
 
-/** @import { Window } from './lattice.js' */
+/** @import { Window } from './window.js' */
 /** @import { Domain } from './plane.js' */
 /** @import { Result } from './results.js' */
 

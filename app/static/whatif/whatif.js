@@ -1,6 +1,6 @@
 // What if …: the scene as a point on a map over two choices. The picture lives on beside it; whatever is moved, point,
 // slider or axis, thousands of impacts follow.
-import { make, segments, write } from '../browser/dom.js';
+import { make, write } from '../browser/dom.js';
 import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
@@ -8,8 +8,10 @@ import { axesOf } from './axes.js';
 import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
-import { Lattice, Window } from './lattice.js';
+import { Lattice } from './lattice.js';
+import { Window } from './window.js';
 import { MapJobs } from './map_jobs.js';
+import { Modes } from './modes.js';
 import { Plane } from './plane.js';
 import { placeOf, usualRange } from './places.js';
 import { Points } from './points.js';
@@ -71,14 +73,14 @@ export class WhatIf {
     this.tiles = new Tiles((result) => this.choose('of', result));
     this.status = make('p', { className: 'whatif-status', role: 'status' });
     this.words = make('p', { className: 'whatif-said', ariaLive: 'polite' });
-    this.modes = segments(text('whatif.view'), ['map'], () => {}, () => text('whatif.map')); // prettier-ignore
+    this.modes = new Modes(this);
     const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
-    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.back);
+    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root, this.back);
     this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root);
-    this.plane.root.append(this.status, this.words);
-    this.parts = [this.head, this.plane.root, this.side];
+    const foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
+    this.parts = [this.head, this.plane.root, ...this.modes.parts, foot, this.side];
     this.hands = new Hands(this);
   }
   /**
@@ -88,8 +90,8 @@ export class WhatIf {
   async enter(said) {
     if (this.open) return;
     this.open = true;
-    this.asked = said;
-    this.page.root.dataset.whatif = 'map';
+    this.asked = this.modes.follow(said);
+    this.page.root.dataset.whatif = this.modes.mode;
     this.page.root.append(...this.parts);
     if (!this.points.ready) {
       write(this.status, text('whatif.preparing'));
@@ -102,7 +104,9 @@ export class WhatIf {
   /** What a link says of it: the result, both axes, and what is wanted. */
   get said() {
     const wanted = this.wanted[this.result];
-    return [this.result, this.named.x, this.named.y, ...(wanted === undefined ? [] : [wanted])].join(',');
+    return (
+      this.modes.said + [this.result, this.named.x, this.named.y, ...(wanted === undefined ? [] : [wanted])].join(',')
+    );
   }
   /** As a link says. */
   #follow() {
@@ -198,7 +202,7 @@ export class WhatIf {
   }
   /** Impacts have come in: shown at once where they are waited for, else some times a second. */
   came() {
-    if (this.held || this.jobs.coarse) this.schedule();
+    if (this.held || (this.modes.shown?.jobs.rough ?? this.jobs.coarse)) this.schedule();
     else this.streaming ??= window.setTimeout(() => [(this.streaming = undefined), this.schedule()], STREAM);
   }
   /** What is kept of the scene as it is chosen, but for its axes. */
@@ -216,21 +220,25 @@ export class WhatIf {
   draw() {
     this.due = 0;
     const { plane, points, x, y } = this;
-    if (!this.open || !points.ready || !plane.measure()) return;
+    const { shown } = this.modes;
+    if (!this.open || !points.ready || !(shown ?? plane).measure()) return;
     if (!x || !y || !points.about(this.chosen, [x.name, y.name])) {
       this.view = null;
       this.jobs.plan(null);
       write(this.status, text(x && y ? 'whatif.not-here' : 'whatif.no-axes'));
       return;
     }
-    this.#look(x, y);
     const results = this.#results();
     if (this.jobs.own.found && !results.includes(this.result)) [this.result] = results;
     this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
     this.tiles.offer(results);
-    this.#paint();
-    this.over();
-    this.#tile();
+    if (shown) this.#instead(shown, results);
+    else {
+      this.#look(x, y);
+      this.#paint();
+      this.over();
+      this.#tile();
+    }
     this.goal.follow();
     this.goal.draw();
     this.gains.follow();
@@ -276,6 +284,20 @@ export class WhatIf {
   look(share) {
     const why = share && this.view?.why(...share);
     write(this.words, why ?? '');
+  }
+  /**
+   * Another view in the place of the map.
+   * @param {NonNullable<Modes['shown']>} shown
+   * @param {Result[]} results
+   */
+  #instead(shown, results) {
+    this.view = null;
+    this.seen = '';
+    this.jobs.plan(null);
+    this.tiles.say((result) => this.here(result), this.result);
+    shown.draw(results);
+    this.domain = shown.domain;
+    this.domainOf = '';
   }
   /** What is above the map: the point of the scene. */
   over() {
