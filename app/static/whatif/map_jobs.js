@@ -26,7 +26,8 @@ export class MapJobs {
   }
   get idle() {
     const others = this.whatif.modes.shown?.jobs.idle ?? true;
-    return others && !this.under && !this.wanted.length && !this.halves?.length;
+    const found = !this.view || this.halves?.length === 0; // also where contacts change
+    return others && found && !this.under && !this.wanted.length;
   }
   /**
    * @param {Window | null} view

@@ -158,10 +158,12 @@ export class Pool {
   get idle() {
     return this.workers.every(({ jobs }) => jobs.size === 0);
   }
-  /** End all workers; whatever they were at is never done. */
+  /** End all workers; of what they were at nothing is found. */
   leave() {
-    for (const { worker } of this.workers) worker.terminate();
+    const { workers } = this;
     this.workers = [];
+    for (const { worker } of workers) worker.terminate();
+    for (const { jobs } of workers) for (const { done } of jobs.values()) done(null, 0);
     this.preparing = null;
     this.left += 1;
     if (carried && this.script) URL.revokeObjectURL(this.script);

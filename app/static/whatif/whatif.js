@@ -163,7 +163,10 @@ export class WhatIf {
     if (!this.open || !this.points.ready) return;
     const { frame } = this.page;
     const scene = JSON.stringify([frame.chosen.scene, frame.kind]);
-    this.axes = axesOf(frame, this.page.model, this.page.changes.held).filter(({ high, low }) => high > low);
+    const acts = (/** @type {string} */ name) => name !== 'restitution' || !('damps' in frame) || frame.damps;
+    this.axes = axesOf(frame, this.page.model, this.page.changes.held).filter(
+      ({ high, low, name }) => high > low && acts(name), // restitution may be that of a prediction alone
+    );
     if (scene !== this.scene) {
       this.scene = scene;
       this.ranges.clear();

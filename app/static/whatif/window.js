@@ -162,7 +162,7 @@ export class Window {
     return wanted;
   }
   /**
-   * Points that were spared beside known ones with other contacts: there a change goes between them.
+   * Points that were spared beside others with other contacts: there a change goes between them.
    * @returns {Point[]}
    */
   mend() {
@@ -175,7 +175,7 @@ export class Window {
         const k = j * nx + i;
         if (index[k] !== MISSING || !this.contacts[k] || lattice.asked.has(this.key(i, j))) continue;
         const near = [i ? k - 1 : k, i < nx - 1 ? k + 1 : k, k - nx, k + nx];
-        const torn = near.some((each) => index[each] >= 0 && this.contacts[each] !== this.contacts[k]);
+        const torn = near.some((each) => this.contacts[each] && this.contacts[each] !== this.contacts[k]);
         if (torn && this.#inside(i, j, 1)) found.push([i, j]);
       }
     return found;
