@@ -21,6 +21,22 @@ class Flights(NamedTuple):
     angle: np.ndarray
 
 
+@inner_kernel
+def every_step(room):
+    """No flights: every step is marched. room: any array; for kernels that count no references."""
+    none = room[:0]
+    return Flights(none, none, none)
+
+
+@inner_kernel
+def set_flights(frequencies, step, stride, flights):
+    """Write those of `flights_of`, where there is room for them (modes,)."""
+    for i in range(flights.angle.size):
+        angle = frequencies[i] * step
+        flights.angle[i] = angle
+        flights.cosine[i], flights.sine[i] = math.cos(stride * angle), math.sin(stride * angle)
+
+
 def flights_of(frequencies: np.ndarray, step: float, stride: int) -> Flights:
     """Of undamped oscillators (modes,) [rad/s] in a march by steps [s], in strides of so many."""
     angle = frequencies * step

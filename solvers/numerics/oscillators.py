@@ -176,7 +176,7 @@ def march(law, residual, mass, rigid_mass, fall, surge, step, bank, displacement
     """
     bank, record = refer(bank), refer(record)
     own = _aligned(bank, displacement, velocity)
-    none = displacement[:0]
+    none = own[4][:0]
     every = Flights(none, none, none)  # step is marched
     march_in_place(law, residual, mass, rigid_mass, fall, surge, step, bank, *own, stride, begin, end, record, every)
     copy_to(displacement, own[4])
