@@ -39,7 +39,7 @@ MEASURED = """async ([[low, high], [slow, fast], side, tolerance, times]) => {
   });
   worker.postMessage({ kind: 'module', module });
   await said();
-  worker.postMessage({ kind: 'scene', frame, names });
+  worker.postMessage({ kind: 'scene', frame });
   const rows = new Float64Array(2 * side * side), { chosen } = frame;
   const between = (a, b, k) => a * (b / a) ** (k / (side - 1));
   for (let k = 0; k < side * side; k++) {
@@ -50,7 +50,7 @@ MEASURED = """async ([[low, high], [slow, fast], side, tolerance, times]) => {
   let found;
   for (let job = 0; job <= times; job++) {
     const begun = performance.now();
-    worker.postMessage({ kind: 'points', job, chosen: {}, rows, tolerance });
+    worker.postMessage({ kind: 'points', job, chosen: {}, names, rows, tolerance });
     const answer = await said();
     if (job) [spent.push(answer.spent), waited.push(performance.now() - begun)];
     ({ found } = answer);

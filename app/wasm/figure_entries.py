@@ -1,10 +1,13 @@
-"""Figures alone of an impact on a rod by exact waves, for the browser: the same as those beside its histories."""
+"""Figures alone of an impact on a rod by exact waves, or across a beam by its modes, for the browser: the same as those
+beside its histories."""
 
 import numba
 import numpy as np
 from numba import carray
 
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
+from solvers.numerics import modal_contacts, modal_drawn
+from solvers.numerics.flights import Flights
 from solvers.numerics.law_functions import CONSTANTS
 from solvers.numerics.polynomials import MAX_INTERVALS, RootWork, roots, shift, value
 from solvers.numerics.waves import law_drawn, rigid, rigid_figures
@@ -36,7 +39,8 @@ from solvers.numerics.waves.record import (
 )
 from solvers.numerics.waves.rigid import Pieces, Work
 
-from .entry import ANY_LAW, FLAGS, INTEGERS, LOSES, REMEMBERS, Entry
+from .entry import ANY_LAW, FLAGS, INTEGERS, JUMPING, LOSES, REMEMBERS, Entry
+from .modal_entries import BEAM_CONTACTS, BEAM_MODES, law_of, march_room, room_of
 from .wave_entries import CONTACTS, PIECES, STRETCHES, TERMS, TOLERANCE, T, record_room
 
 # in T, v and Z v; energies in Z v v T. PEAK, STRESS: largest force, and largest stress along the rod, times its area;
@@ -45,6 +49,8 @@ FINAL, TARGET, ENERGY, DISSIPATED, DEEPEST, PEAK, STRESS, TOUCHING, PARTING, TOU
 COLUMNS = 11
 TURNS = PIECES * (T + 2)  # of the wave that the struck end sends
 LAW_TURNS = 4 * STRETCHES
+BENT_STEPS = 200_000  # of an impact across: of 150 random ones 2 take more, all of many contacts; the usual 60 000
+BENT_STRIDE = 32  # from one checkpoint to the next: flights take whole ones
 NEAR = 0.9  # of the highest so far: between nodes that are lower is nothing higher
 
 
@@ -281,6 +287,38 @@ def law_figures(
     return SOLVED
 
 
+def beam_figures(
+    mass, rigid_mass, whole, mean, count, compliance, longest, duration, constants, shapes, oscillators, saved,
+    saved_rates, slopes, histories, runs, turning, contacts, figures, out,
+):  # fmt: skip
+    """A mass across what bends, by its modes, as by `beam`; but flights are taken at once."""
+    n = int(count)
+    if n > BEAM_MODES:
+        return NO_ROOM
+    frequencies, at_contact, damping = carray(shapes, (3, n))
+    checkpoints, w = BENT_STEPS // BENT_STRIDE + 1, carray(turning, (3, n))
+    room = march_room(n, BENT_STEPS, checkpoints, saved, saved_rates, oscillators, slopes, histories, runs)
+    c, table = carray(constants, (CONSTANTS + 1,)), carray(contacts, (BEAM_CONTACTS, modal_drawn.CONTACT_COLUMNS))
+    (law, number, rigid), found = law_of(c, compliance), carray(figures, (modal_drawn.COLUMNS,))
+    status = modal_drawn.figures_of_beam(
+        law, ANY_LAW, (c, LOSES[number], rigid), (mass, rigid_mass, whole, mean), (frequencies, at_contact, damping),
+        compliance, (JUMPING[number], REMEMBERS[number]), longest, duration, (MAX_ROUND_TRIPS, AFTERGLOW),
+        BENT_STRIDE, room, Flights(w[0], w[1], w[2]), table, found,
+    )  # fmt: skip
+    if status != SOLVED:
+        return status
+    o, touches = carray(out, (COLUMNS,)), int(found[modal_drawn.CONTACTS])
+    o[FINAL], o[TARGET], o[ENERGY] = found[modal_drawn.FINAL], found[modal_drawn.TARGET], found[modal_drawn.STRUCK]
+    o[DISSIPATED], o[DEEPEST] = found[modal_drawn.DISSIPATED], found[modal_drawn.DEEPEST]
+    o[PEAK] = o[TOUCHING] = 0.0
+    for k in range(touches):
+        o[PEAK] = max(o[PEAK], table[k, modal_contacts.PEAK])
+        o[TOUCHING] += table[k, modal_contacts.END] - table[k, modal_contacts.START]
+    o[STRESS], o[PARTING] = np.nan, table[touches - 1, modal_contacts.END]
+    o[TOUCHES], o[SHOWN] = touches, found[modal_drawn.DURATION]
+    return SOLVED
+
+
 FOUND = {
     "final": FINAL,
     "target": TARGET,
@@ -329,6 +367,19 @@ FIGURE_ENTRIES = {
             **record_room(2, STRETCHES),
         },
         {"counts": INTEGERS, "pressing": INTEGERS, "flags": FLAGS, "closed": FLAGS},
+        FOUND,
+    ),
+    "beam_figures": Entry(
+        beam_figures,
+        8,
+        {
+            **room_of(BEAM_MODES, BENT_STEPS, BENT_STEPS // BENT_STRIDE + 1),
+            "turning": 3 * BEAM_MODES,
+            "contacts": modal_drawn.CONTACT_COLUMNS * BEAM_CONTACTS,
+            "figures": modal_drawn.COLUMNS,
+            "out": COLUMNS,
+        },
+        {"runs": INTEGERS},
         FOUND,
     ),
 }

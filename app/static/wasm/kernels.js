@@ -276,13 +276,8 @@ export class Kernels extends Memory {
    * @param {Pick<LawRecord, 'name' | 'constants'>} law  in s, kg and the speed; rigid without constants
    * @returns {BentImpact | null}
    */
-  beam({ damping, duration, march, mass, rigidMass, whole }, law) {
-    const { atContact, compliance, frequencies, longest, mean } = march;
-    const count = frequencies.length;
-    if (!this.roomFor('beam')) return null;
-    this.#give('beam', law);
-    this.array('beam', 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
-    const called = this.call('beam', mass, rigidMass, whole, mean, count, compliance, longest, duration);
+  beam(struck, law) {
+    const called = this.#across('beam', struck, law);
     if (!called) return null;
     const { figures, read } = called;
     const { contacts, deepest, dent, half, step, steps } = figures;
@@ -302,6 +297,29 @@ export class Kernels extends Memory {
     };
   }
   /**
+   * Figures alone of the same, in the same units.
+   * @param {Struck} struck
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law
+   * @returns {RodFigures | null}
+   */
+  beamFigures(struck, law) {
+    return /** @type {any} */ (this.#across('beam_figures', struck, law)?.figures ?? null);
+  }
+  /**
+   * Either.
+   * @param {'beam' | 'beam_figures'} kernel
+   * @param {Struck} struck
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law
+   */
+  #across(kernel, { damping, duration, march, mass, rigidMass, whole }, law) {
+    const { atContact, compliance, frequencies, longest, mean } = march;
+    const count = frequencies.length;
+    if (!this.roomFor(kernel)) return null;
+    this.#give(kernel, law);
+    this.array(kernel, 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
+    return this.call(kernel, mass, rigidMass, whole, mean, count, compliance, longest, duration);
+  }
+  /**
    * Write a contact law for both ends of a rod.
    * @param {'law' | 'law_figures'} kernel
    * @param {Pick<LawRecord, 'name' | 'constants'>} law
@@ -314,7 +332,7 @@ export class Kernels extends Memory {
   }
   /**
    * Write a contact law for a march.
-   * @param {'modes' | 'beam' | 'compact'} kernel
+   * @param {'modes' | 'beam' | 'beam_figures' | 'compact'} kernel
    * @param {Pick<LawRecord, 'name' | 'constants'>} law
    */
   #give(kernel, { name, constants }) {

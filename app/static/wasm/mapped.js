@@ -1,8 +1,9 @@
 // Figures alone of one impact, by the browser's own answers: for maps of thousands of them.
+import { isBent, strikingAcross } from './bending.js';
 import { figuresOfWhole, listed } from './columns.js';
 import { isRod, strikingBy } from './rod.js';
 
-/** @import { AxialFrame, Chosen, Frame } from '../messages.js' */
+/** @import { AxialFrame, BeamFrame, Chosen, Frame } from '../messages.js' */
 /** @import { Answers } from './answers.js' */
 /** @import { Row } from './columns.js' */
 
@@ -36,6 +37,10 @@ export function figuresAt(answers, frame, chosen, tolerance = 0) {
   if (frame.kind === 'axial' && isRod(frame)) {
     answers.restLater();
     return listed(ofRod(answers, frame, chosen, tolerance));
+  }
+  if (frame.kind === 'beam' && isBent(frame)) {
+    answers.restLater();
+    return listed(ofBeam(answers, frame, chosen));
   }
   return figuresOfWhole(answers.answer(frame, chosen));
 }
@@ -72,5 +77,33 @@ function ofRod({ kernels }, frame, chosen, tolerance) {
     dissipated: (energy * found.dissipated) / initial,
     peak_indentation: law.constants.length ? speed * trip * found.deepest : null,
     peak_stress: stressUnit * times * found.stress,
+  };
+}
+
+/**
+ * Of a mass across a beam, likewise.
+ * @param {Answers} answers
+ * @param {BeamFrame} frame
+ * @param {Chosen} chosen
+ * @returns {Row | null}
+ */
+function ofBeam({ kernels }, frame, chosen) {
+  const striking = strikingAcross(kernels, frame, chosen);
+  if (!striking) return null;
+  const { law, march, mass, speed, struck } = striking;
+  const found = kernels.beamFigures(struck, law);
+  if (!found) return null;
+  const targetFinal = frame.beam.held ? 0 : found.target;
+  const initial = 0.5 * mass;
+  const whole = 0.5 * (frame.rigidMass ?? 0) * (found.target / march.mean) ** 2;
+  const together = found.parting >= found.duration * (1 - 1e-12); // nothing is restored yet
+  return {
+    ...{ contacts: found.contacts, contact_time: found.touching },
+    newton: together ? null : targetFinal - found.final,
+    ...{ impactor_velocity: speed * found.final, target_velocity: speed * targetFinal, peak_force: speed * found.peak },
+    vibration: (found.energy - whole) / initial,
+    dissipated: found.dissipated / initial,
+    peak_indentation: law.constants.length ? speed * found.deepest : null,
+    peak_stress: null,
   };
 }

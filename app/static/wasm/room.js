@@ -44,9 +44,7 @@ export const ROOM = {
     closed: 4000,
     breaks: 4000,
   },
-  dashpot: {
-    out: 2,
-  },
+  dashpot: { out: 2 },
   modes: {
     constants: 7,
     shapes: 1200,
@@ -193,18 +191,23 @@ export const ROOM = {
     closed: 4000,
     breaks: 4000,
   },
+  beam_figures: {
+    constants: 7,
+    shapes: 144,
+    oscillators: 480,
+    saved: 300048,
+    savedRates: 300048,
+    slopes: 2,
+    histories: 2000010,
+    runs: 200002,
+    turning: 144,
+    contacts: 1250,
+    figures: 18,
+    out: 11,
+  },
 };
 export const OUT = {
-  rod: {
-    impulse: 0,
-    target: 1,
-    compressing: 2,
-    energy: 3,
-    contacts: 5,
-    duration: 7,
-    wavePoints: 8,
-    forcePoints: 9,
-  },
+  rod: { impulse: 0, target: 1, compressing: 2, energy: 3, contacts: 5, duration: 7, wavePoints: 8, forcePoints: 9 },
   law: {
     impulse: 0,
     final: 1,
@@ -220,10 +223,7 @@ export const OUT = {
     wavePoints: 11,
     forcePoints: 12,
   },
-  dashpot: {
-    number: 0,
-    nominal: 1,
-  },
+  dashpot: { number: 0, nominal: 1 },
   modes: {
     impulse: 0,
     final: 1,
@@ -347,6 +347,19 @@ export const OUT = {
     duration: 10,
   },
   law_figures: {
+    final: 0,
+    target: 1,
+    energy: 2,
+    dissipated: 3,
+    deepest: 4,
+    peak: 5,
+    stress: 6,
+    touching: 7,
+    parting: 8,
+    contacts: 9,
+    duration: 10,
+  },
+  beam_figures: {
     final: 0,
     target: 1,
     energy: 2,

@@ -2,7 +2,8 @@
 // each point. Figures alone, and beside them those of the whole answer.
 import { readFileSync } from 'node:fs';
 import { answersBy } from '../../../app/static/wasm/answers.js';
-import { COLUMNS, figuresAt, figuresOfWhole } from '../../../app/static/wasm/mapped.js';
+import { COLUMNS, figuresOfWhole } from '../../../app/static/wasm/columns.js';
+import { figuresAt } from '../../../app/static/wasm/mapped.js';
 
 globalThis.strikewaveTexts = { language: 'en', texts: {} }; // nothing is said here
 const { decode } = await import('../../../app/static/wire/message.js');
