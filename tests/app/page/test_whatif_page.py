@@ -12,7 +12,11 @@ from .hands import drag, tap, type_into
 from .test_page import settled
 
 WHATIF = "strikewave.page.opening.door.whatif"
-DONE = f"() => {{ const w = {WHATIF}; return Boolean(w?.view) && w.jobs.idle && w.goal.seek.idle && !w.jobs.coarse; }}"
+DONE = f"""() => {{
+  const w = {WHATIF};
+  const drawn = Boolean(w?.view) && !w.due && !w.streaming; // what has come in is planned with, too
+  return drawn && w.jobs.idle && w.goal.seek.idle && !w.jobs.coarse;
+}}"""
 # Points of the map that are kept: values of both axes, and what was found.
 POINTS = f"""() => {{
   const {{ view, lattice }} = {WHATIF};
