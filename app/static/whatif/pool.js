@@ -129,7 +129,7 @@ export class Pool {
     this.feed();
   }
   /**
-   * One has died: whose jobs it had is told, and another takes its place, but for one that does already.
+   * One has died: of its jobs nothing is found, and another takes its place, but for one that does already.
    * @param {Own} own
    */
   #lose(own) {
