@@ -23,6 +23,7 @@ const BROWSER = [
     'URL',
     'URLSearchParams',
     'Blob',
+    'Worker',
     'File',
     'Image',
   ],
@@ -50,7 +51,10 @@ export default [
       },
     },
   },
-  { files: ['tests/**/*.mjs'], languageOptions: { globals: { console: 'readonly', process: 'readonly' } } },
+  {
+    files: ['tests/**/*.mjs'],
+    languageOptions: { globals: { WebAssembly: 'readonly', console: 'readonly', process: 'readonly' } },
+  },
   {
     rules: {
       eqeqeq: 'error',

@@ -20,17 +20,25 @@ const BEFORE = {
   'sharing/class_link.js': [PAGE],
   'take/files.js': [PAGE],
   'wasm/answers.js': [PAGE],
+  'whatif/whatif.js': [PAGE, 'wasm/answers.js'],
 };
 // a folder without a server: scripts that are no modules, as browsers allow none to pages from the disk
 const OFFLINE = {
-  'offline/scenes.js': ['gallery/gallery.js', 'take/files.js'],
-  'offline/lessons.js': ['gallery/gallery.js', 'take/files.js', 'lesson/lesson.js', 'courses/courses.js'],
+  'offline/scenes.js': ['gallery/gallery.js', 'take/files.js', 'whatif/whatif.js'],
+  'offline/lessons.js': [
+    'gallery/gallery.js',
+    'take/files.js',
+    'whatif/whatif.js',
+    'lesson/lesson.js',
+    'courses/courses.js',
+  ],
 };
 const WITHOUT = /^(mechanism|space|away)\//; // kinds of scene that no kernel answers there, and what minds the server
 const ANALYSES = ['plan', 'record', 'stability', 'tolerance', 'tradeoff', 'trust']; // which a server makes
 const UNUSED = ['space/stage.css', ...ANALYSES.map((name) => `panels/${name}.css`)];
 const SCRIPTS = ['browser/modules.js', 'browser/start.js', 'offline/start.js']; // which are no modules
 const WIDGET = 'offline/widget.js';
+const WORKER = 'wasm/worker.js'; // whole by itself, as nothing of the page is there; without a server it is no module
 const FIRST = './first.js'; // stands for what an entry does before all else
 const SERVED = 'served:'; // before an address that a browser asks for
 
@@ -166,9 +174,11 @@ async function sheetsOf() {
 }
 
 async function scriptsOf() {
-  const found = [SCRIPTS, [WIDGET]].map((entryPoints) =>
-    build({ ...WHOLE, entryPoints, format: entryPoints === SCRIPTS ? 'iife' : 'esm' }),
-  );
+  const found = [
+    { entryPoints: SCRIPTS, format: 'iife' },
+    { entryPoints: [WIDGET, WORKER] },
+    { entryPoints: { 'offline/worker': WORKER }, format: 'iife', define: { 'import.meta.url': '""' } },
+  ].map((options) => build({ ...WHOLE, ...options }));
   const all = (await Promise.all(found)).flatMap(({ outputFiles }) => outputFiles);
   return all.map(({ path, text }) => [plain(relative(STATIC, path)), text]);
 }

@@ -21,6 +21,7 @@ from . import (
     impulses,
     kernels,
     machines,
+    map,
     mechanisms,
     methods,
     page,
@@ -67,6 +68,7 @@ PARTS = {
     "peers": peers,
     "peer-mechanisms": peer_mechanisms,
     "page": page,
+    "map": map,
     "visitors": visitors,
 }
 

@@ -15,7 +15,7 @@ from bench.size import of, small, some
 from solvers.accuracy import calibration
 from solvers.accuracy.store import SHIPPED
 
-PAGES = ("page", "visitors")  # parts that need a browser, or a server of the page
+PAGES = ("page", "map", "visitors")  # parts that need a browser, or a server of the page
 
 
 def numbers(found: Any) -> Iterator[float]:

@@ -33,6 +33,7 @@ from ..choices.kinds import kind_of
 from ..choices.scene_of import own_choices
 from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
+from ..views.whatif import EXAMPLE, POINTS, whatif_data
 
 IDLE_SECONDS = 10.0  # after which the process ends if nothing is asked: it has 0.6 GB
 HANG_SECONDS = 60.0  # without a word while somebody waits: the longest single compilation takes some 15 s
@@ -136,7 +137,7 @@ COMPILER = Compiler()
 def works() -> dict[str, Callable]:
     """What the page asks for, by name."""
     asked = (work for view in VIEWS for work in view.compiled)
-    return {work.__name__: work for work in (solve_frame, with_body_value, *asked)}
+    return {work.__name__: work for work in (solve_frame, with_body_value, whatif_data, *asked)}
 
 
 Piece = tuple[str, dict[str, Any]]  # name of a work, and the choices that it is asked with
@@ -149,6 +150,8 @@ def usual() -> Iterator[Piece]:
     for scene in (START, beam):
         yield from _pieces(scene, begun)
     yield with_body_value.__name__, Choices().chosen() | {"body_value": "impactor"}
+    for scene in (START, beam):
+        yield whatif_data.__name__, own_choices(scene) | {POINTS: EXAMPLE}
     rubs = next(name for name, scene in SCENES.items() if scene.friction)
     yield from _pieces(rubs, [])
     laws = [law for law in Choices.param.law.objects if law != Choices().law]

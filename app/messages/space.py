@@ -33,8 +33,13 @@ ALIKE = 1e-6  # relative difference of the principal moments of what is drawn as
 
 def space_frame(request: Request) -> bytes:
     """The message for what is chosen."""
+    return bodies_frame(space_solution(request), request)
+
+
+def space_solution(request: Request) -> Solution:
+    """The impact that is chosen."""
     method = RigidImpulse(restitution=request.restitution, model=request.chosen["restitution_model"])
-    return bodies_frame(method.solve(request.scene), request)
+    return method.solve(request.scene)
 
 
 def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:

@@ -4,6 +4,7 @@ SI units. For modes the browser carries the same oscillators through the same fo
 at (instant, place), closer together at first, where most happens.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -19,6 +20,7 @@ from solvers.methods.multibody.motion import MovingMotion
 from solvers.scenes.saved import saved_head
 from solvers.solution.motion import Bends
 from solvers.studies.contact_times import contact_times
+from solvers.studies.figures import only_for
 from solvers.text.notes import Note
 
 from ..choices.choices import SOLVED_BY
@@ -68,9 +70,11 @@ def method_at_impact(request: Request) -> Method:
     return chosen_method(request)[0]
 
 
-def main_solution(request: Request) -> tuple[Solution, Note | None]:
-    """The impact by `chosen_method`, with the note why that is not the one that was asked for."""
+def main_solution(request: Request, figures: Sequence[str] = ()) -> tuple[Solution, Note | None]:
+    """The impact by `chosen_method`, with the note why that is not the one that was asked for; `figures`: all that is
+    read of it, none: everything."""
     method, reason = chosen_method(request)
+    method = only_for(method, figures) if figures else method
     own = request.scene.method
     known = own.get("name") in (None, *METHODS)  # else its duration is that of a mechanism that moves on
     return method.solve_in_full(request.scene, own.get("duration") if known else None), reason

@@ -1,5 +1,6 @@
 """The views beside the solution: who answers what is asked in them, and when."""
 
+import json
 from collections import Counter
 from collections.abc import Callable, Coroutine, Hashable, Iterable, Iterator
 from functools import partial
@@ -16,6 +17,7 @@ from ..jobs.runner import Runner
 from ..jobs.workers import Lost
 from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
+from ..views.whatif import POINTS, id_of, whatif_data
 from .begin import begin
 from .questions import Questions
 from .reading import by_worker, depends_on
@@ -52,6 +54,9 @@ class Panels(Questions):
         acts = partial(setattr, self, "closer"), self._refuse_closer, partial(self._wait, IN_VIEW)
         self._runners[IN_VIEW] = Runner(solve_frame, *self._reports(acts), visitor=self.visitor)
         self.param.watch(self._look_closer, IN_VIEW)
+        acts = partial(setattr, self, "whatif"), self._refuse_points
+        self._runners[POINTS] = Runner(whatif_data, *self._reports(acts), visitor=self.visitor, stoppable=True)
+        self.param.watch(self._ask_points, POINTS)
         acts = self.choose, self._refuse, partial(self._wait, with_body_value.__name__)
         self._lead("body_value", Runner(with_body_value, *self._reports(acts), visitor=self.visitor))
 
@@ -70,6 +75,18 @@ class Panels(Questions):
         """Have the histories of the stretch of time in view sampled for it."""
         if event.new:
             begin(partial(self._runners[IN_VIEW].want, self.chosen() | {IN_VIEW: event.new}))
+
+    def _ask_points(self, event: param.parameterized.Event) -> None:
+        """Have points of the map found; where none are asked any more, what is under way ends."""
+        runner = self._runners[POINTS]
+        if event.new:
+            begin(partial(runner.want, self.chosen() | {POINTS: event.new}))
+        else:
+            runner.stop()
+
+    def _refuse_points(self, reason: dict[str, Any]) -> None:
+        """Say it on the map alone: of what is chosen it says nothing."""
+        self.whatif = json.dumps({"id": id_of(self._runners[POINTS].current[POINTS]), "error": reason})
 
     def _reports(self, acts: Iterable[Callable]) -> Iterator[Callable]:
         return (partial(self._report, act) for act in acts)

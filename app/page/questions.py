@@ -3,6 +3,7 @@
 import param
 
 from ..views.registry import VIEWS
+from ..views.whatif import LONGEST, POINTS
 
 
 class Questions(param.Parameterized):
@@ -16,6 +17,7 @@ class Questions(param.Parameterized):
         *RUNS,
         "body_value",
         "time_in_view",
+        POINTS,
         *(name for view in VIEWS for name in view.asked),
     )  # what a visitor may set
 
@@ -28,6 +30,12 @@ class Questions(param.Parameterized):
         doc="START END [s]; empty: all of it",
     )
     closer = param.Bytes(default=b"", doc="the message whose histories are of the time in view")
+    whatif_points = param.String(
+        default="",
+        regex=rf"(?s)^.{{0,{LONGEST}}}\Z",
+        doc="points of the map, in JSON, see app.views.whatif; empty: none",
+    )
+    whatif = param.String(default="", doc="figures at these points, in JSON")
 
 
 for _view in VIEWS:

@@ -73,7 +73,7 @@ COARSER, LARGEST = 32, 1023  # times as coarse as two bytes are, and the largest
 BRIEF = ("otherMass", "otherEnd", "otherTime", "otherForce")  # beside these
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
-    "img-src data: blob:; media-src blob:; font-src data:; base-uri 'none'; form-action 'none'"
+    "worker-src blob:; img-src data: blob:; media-src blob:; font-src data:; base-uri 'none'; form-action 'none'"
 )  # file: where the page is opened from the disk
 
 
@@ -113,6 +113,7 @@ def export(folder: Path, laboratory: str, lessons: bool = False) -> Exported:
     files = {
         "index.html": _document().encode(),
         "kernels.js": script("strikewaveKernels", kernels),
+        "worker.js": script("strikewaveWorker", found.files["offline/worker.js"]),
         "scenes.js": _scenes(names, laboratory, taught, "\n".join(scripts)),
         "page.js": found.files[whole],
         **{name: found.files[f"offline/{name}"] for name in ("start.js", "widget.js", SHEETS)},

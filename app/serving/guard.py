@@ -11,10 +11,13 @@ from ..choices.choices import Choices
 from ..choices.own import LONGEST as LONGEST_SCENE
 from ..choices.own import is_own
 from ..page.questions import Questions
+from ..views.whatif import LONGEST as LONGEST_POINTS
+from ..views.whatif import POINTS
 from .limits import MAX_EVENTS
 
 MAX_PULLS = 3  # of the document by one socket; a page pulls it once
-LONGEST_VALUE = LONGEST  # letters of a text; of a scene of one's own, which is its name, LONGEST_SCENE
+LONGEST_VALUE = LONGEST  # letters of a text
+LONGER = {"scene": LONGEST_SCENE, POINTS: LONGEST_POINTS}  # of one's own, whose name is all of it; of the map
 SETTABLE = frozenset((*Choices.CHOSEN, *Questions.ASKED))
 # What Panel reports by itself of the browser; dropped without a word.
 REPORTED = frozenset(
@@ -60,7 +63,7 @@ def _sets(event: Any, own: str, settable: frozenset[str]) -> bool:
         _is_change(event)
         and event["model"]["id"] == own
         and event["attr"] in settable
-        and _plain(event.get("new"), LONGEST_SCENE if event["attr"] == "scene" else LONGEST_VALUE)
+        and _plain(event.get("new"), LONGER.get(event["attr"], LONGEST_VALUE))
         and event.keys() <= {"kind", "model", "attr", "new"}
     )
 

@@ -40,7 +40,8 @@ FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the addres
 PACKED = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".wasm": "application/wasm"}
 OF_THE_DOCUMENT = {"frame/page.css", "browser/modules.js", "browser/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"frame/embedded.css"}  # which a laboratory there loads beside
-ROOMS = ("gallery", "courses", "lesson", "classes", "sharing", "take", "wasm")  # of what is fetched when it is wanted
+# of what is fetched when it is wanted
+ROOMS = ("gallery", "courses", "lesson", "classes", "sharing", "take", "wasm", "whatif")
 LATE = {
     "gallery/gallery.js",
     "courses/courses.js",
@@ -49,6 +50,8 @@ LATE = {
     "sharing/class_link.js",
     "take/files.js",
     "wasm/answers.js",
+    "wasm/worker.js",
+    "whatif/whatif.js",
     "gallery/gallery.css",
     "courses/courses.css",
     "classes/classes.css",

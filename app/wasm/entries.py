@@ -9,12 +9,15 @@ from .balance_entries import BALANCE_ENTRIES
 from .chain_entries import CHAIN_ENTRIES
 from .compact_entries import COMPACT_ENTRIES
 from .entry import KINDS
+from .figure_entries import FIGURE_ENTRIES
 from .modal_entries import MODAL_ENTRIES
 from .spring_entries import FEW, PLACES, SPRING_ENTRIES
 from .wave_entries import DASHPOTS, WAVE_ENTRIES
 
-ON_A_LINE = 80  # of letters of a list: longer ones have one for each of theirs
-ENTRIES = WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES | COMPACT_ENTRIES | CHAIN_ENTRIES | BALANCE_ENTRIES
+ON_A_LINE, WIDTH = 80, 120  # letters of a list, and of a table: longer ones have a line for each of theirs
+ENTRIES = (
+    WAVE_ENTRIES | MODAL_ENTRIES | SPRING_ENTRIES | COMPACT_ENTRIES | CHAIN_ENTRIES | BALANCE_ENTRIES | FIGURE_ENTRIES
+)
 
 
 def room() -> str:
@@ -36,8 +39,10 @@ def _names(names: Sequence[str]) -> str:
 
 
 def _listed(tables: dict[str, dict[str, int]]) -> str:
-    inside = "".join(
-        f"  {name}: {{\n" + "".join(f"    {each}: {number},\n" for each, number in table.items()) + "  },\n"
-        for name, table in tables.items()
-    )
-    return "{\n" + inside + "}"
+    return "{\n" + "".join(_table(name, table) for name, table in tables.items()) + "}"
+
+
+def _table(name: str, table: dict[str, int]) -> str:
+    numbers = [f"{each}: {number}" for each, number in table.items()]
+    line = f"  {name}: {{ {', '.join(numbers)} }},\n"
+    return line if len(line) <= WIDTH else f"  {name}: {{\n" + "".join(f"    {each},\n" for each in numbers) + "  },\n"

@@ -44,7 +44,7 @@ def march_room(modes, steps, checkpoints, saved, saved_rates, oscillators, slope
 
 
 @numba.njit
-def _law(constants, compliance):
+def law_of(constants, compliance):
     """The law for a march, its number, and whether it stands for a rigid contact: by the spring of modes left out."""
     rigid = constants[CONSTANTS] < 0.0
     if rigid:
@@ -76,7 +76,7 @@ def modes(
     period, compliance = 2.0 * np.pi / frequencies[n - 1], 0.0 if given > 0.0 else rest
     room = march_room(n, steps, steps // STRIDE + 1, saved, saved_rates, oscillators, slopes, histories, runs)
     c, step = carray(constants, (CONSTANTS + 1,)), duration / steps
-    law, number, rigid = _law(c, compliance)
+    law, number, rigid = law_of(c, compliance)
     spring = residual_spring(0.0 if rigid else compliance, step, period, JUMPING[number], REMEMBERS[number])
     whole, known = np.inf if fixed else 0.5, (frequencies, at_contact, damping)
     return modal_drawn.answer(
@@ -100,7 +100,7 @@ def beam(
     frequencies, at_contact, damping = carray(shapes, (3, n))
     room = march_room(n, BEAM_STEPS, BEAM_STEPS // STRIDE + 1, saved, saved_rates, oscillators, slopes, histories, runs)
     c, d = carray(constants, (CONSTANTS + 1,)), carray(drawn, (5, BEAM_INSTANTS))
-    law, number, rigid = _law(c, compliance)
+    law, number, rigid = law_of(c, compliance)
     path, curve = carray(cycle, (3, BEAM_CYCLE)), carray(law_cycle, (2, BEAM_DEPTHS))
     bent = modal_drawn.Bent(
         d[0], d[1], d[2], d[3], d[4], carray(rates, (LISTED, 4)), carray(force, (GROUPS,)), path[0], path[1], path[2],

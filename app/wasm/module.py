@@ -28,6 +28,7 @@ ENTRIES = (
     "compact_entries.py",
     "chain_entries.py",
     "balance_entries.py",
+    "figure_entries.py",
     "entries.py",
 )  # beside this
 SECTION = b"\x0bfingerprint"  # in which the module names the sources that it was made of

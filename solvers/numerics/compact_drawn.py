@@ -14,6 +14,7 @@ from . import modal_contacts, modal_drawn
 from .balance_histories import between
 from .closed_collisions import Collision, follow_power, follow_sine
 from .damped_path import follow_damped
+from .flights import every_step
 from .modal_steps import usual_step
 from .oscillators import residual_spring, set_bank
 from .path_collision import follow_path, instants, stretches
@@ -174,7 +175,8 @@ def answer(
     modal_drawn.at_rest(kept.record, kept.displacement, kept.velocity)
     bodies, most = (masses[0], masses[1], masses[1], 1.0), int(np.ceil(limits[0] * trip / step))
     seen, of_it = limits[1] * trip, (asked, of_law[0])
-    steps, parted = modal_drawn.followed(law, of_it, residual, bodies, modes, step, stride, kept, most, seen, no)
+    every = every_step(kept.displacement)
+    steps, parted = modal_drawn.followed(law, of_it, residual, bodies, modes, step, stride, kept, every, most, seen, no)
     if steps < 1:
         return NO_ROOM
     record, (constants, lossy) = refer(modal_drawn.cut(kept.record, steps)), of_law

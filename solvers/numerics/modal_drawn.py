@@ -12,7 +12,7 @@ from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts
-from .flights import Flights
+from .flights import every_step, set_flights
 from .modal_steps import LEAST_STEPS, usual_step
 from .modes import half_period
 from .oscillators import Bank, Record, carried_to, march_in_place, rate_at, residual_spring, ringing, set_bank
@@ -156,14 +156,12 @@ def figures(asked, of_law, residual, bodies, modes, step, stride, record, room, 
 
 
 @inner_kernel
-def _march(law, residual, bodies, step, stride, room, begin, end):
+def _march(law, residual, bodies, step, stride, room, flights, begin, end):
     record, bank = room.record, room.bank
     turning = bank.cosine, bank.sine, bank.turned_kick_displacement, bank.turned_kick_velocity
-    oscillators, none = (room.displacement, room.velocity), room.displacement[:0]
-    every = Flights(none, none, none)  # step is marched, as it is drawn
-    masses = bodies[0], bodies[1]
+    oscillators, masses = (room.displacement, room.velocity), (bodies[0], bodies[1])
     march_in_place(
-        law, residual, *masses, 0.0, 0.0, step, bank, *turning, *oscillators, stride, begin, end, record, every
+        law, residual, *masses, 0.0, 0.0, step, bank, *turning, *oscillators, stride, begin, end, record, flights
     )
 
 
@@ -181,7 +179,8 @@ def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, cont
     kept = refer(room)
     set_bank(modes[0], modes[1], modes[0], modes[2], step, kept.bank)
     at_rest(kept.record, kept.displacement, kept.velocity)
-    _march(law, residual, bodies, step, stride, kept, 0, kept.record.contact_force.size)
+    every = every_step(kept.displacement)
+    _march(law, residual, bodies, step, stride, kept, every, 0, kept.record.contact_force.size)
     no = np.bool_(False)
     status = figures(asked, of_law, residual, bodies, modes, step, stride, kept.record, kept, no, no, contacts, out)
     _together(kept.record, of_law[2])
@@ -193,16 +192,17 @@ def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, cont
 
 
 @inner_kernel
-def followed(law, of_law, residual, bodies, modes, step, stride, room, most, afterglow, rings):
+def followed(law, of_law, residual, bodies, modes, step, stride, room, flights, most, afterglow, rings):
     """March whole periods of the target until both have parted for good, see `parting`; how many steps are to be seen,
-    -1: no room, or they may touch again. As `Modal` does; of_law: `asked` and its constants; rings: whether any does.
+    -1: no room, or they may touch again. As `Modal` does; of_law: `asked` and its constants; flights: which are taken
+    at once; rings: whether any body does.
     """
     record, chunk, done, touched = room.record, int(np.ceil(2.0 * np.pi / modes[0][0] / step)), 0, 0
     while done < most:
         until = min(done + chunk, most)
         if until > record.contact_force.size:
             return -1, np.bool_(False)
-        _march(law, residual, bodies, step, stride, room, done, until)
+        _march(law, residual, bodies, step, stride, room, flights, done, until)
         last = until
         while last > 0 and record.contact_force[last - 1] == 0.0:
             last -= 1
@@ -272,18 +272,16 @@ def cycle_of(record, step, law, asked, constants, slopes, until, deepest, drawn)
         drawn.unloading[k] = asked(FORCE, constants, depth, 0.0, deepest, slopes)
 
 
-@kernel
-def answer_of_beam(
-    law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, room, contacts, drawn,
+@inner_kernel
+def _of_beam(
+    law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, kept, flights, contacts,
     out,
 ):  # fmt: skip
-    """The same of what is struck across, for a time that is asked for or, if that is 0, for as long as is usual.
+    """March an impact across and write its figures; whether it is SOLVED, its step and how many there are.
 
-    compliance: of the modes left out; sudden: whether the force may jump, and whether the law yields; longest: slowest
-    period; limits: periods that are marched at most, and shown after the last parting; room: as many steps as there is
-    room for; drawn: `Bent`.
+    flights: room, (modes,) each, or empty; of what rings on undamped they are taken at once, unless a contact is rigid.
     """
-    kept, (frequencies, at_contact, damping), (mass, rigid_mass, whole, _) = refer(room), modes, bodies
+    (frequencies, at_contact, damping), (mass, rigid_mass, whole, _) = modes, bodies
     (constants, _, rigid), give = of_law, 0.0
     for i in range(frequencies.size):
         give += (at_contact[i] / frequencies[i]) ** 2
@@ -296,29 +294,62 @@ def answer_of_beam(
         most = max(LEAST_STEPS, int(np.ceil(asked_time / step)))
         step = asked_time / most
         if most > kept.record.contact_force.size:
-            return NO_ROOM
+            return NO_ROOM, step, most
     residual = residual_spring(series, step, 2.0 * np.pi / highest, sudden[0], sudden[1])
     set_bank(frequencies, at_contact, frequencies, damping, step, kept.bank)
     at_rest(kept.record, kept.displacement, kept.velocity)
-    if asked_time > 0.0:
-        _march(law, residual, bodies, step, stride, kept, 0, most)
+    if rigid or damping[0] > 0.0:
+        flights = every_step(flights.angle)
     else:
-        drawn_for, of_it = limits[1] * longest, (asked, constants)
-        most, parted = followed(law, of_it, residual, bodies, modes, step, stride, kept, most, drawn_for, yes)
+        set_flights(frequencies, step, stride, flights)
+    if asked_time > 0.0:
+        _march(law, residual, bodies, step, stride, kept, flights, 0, most)
+    else:
+        shown, of_it = limits[1] * longest, (asked, constants)
+        most, parted = followed(law, of_it, residual, bodies, modes, step, stride, kept, flights, most, shown, yes)
         if most < 1:
-            return NO_ROOM
+            return NO_ROOM, step, most
     record = refer(cut(kept.record, most))
     status = figures(
         asked, of_law, residual, bodies, modes, step, stride, record, kept, not rigid, parted, contacts, out
     )
+    out[DURATION] = step * most
+    return status, step, most
+
+
+@kernel
+def figures_of_beam(
+    law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, room, flights, contacts,
+    out,
+):  # fmt: skip
+    """Figures and contacts alone of what is struck across: see `answer_of_beam`; flights: room, (modes,) each."""
+    impact = law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits
+    return _of_beam(*impact, stride, refer(room), flights, contacts, out)[0]
+
+
+@kernel
+def answer_of_beam(
+    law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, room, contacts, drawn,
+    out,
+):  # fmt: skip
+    """The same of what is struck across, for a time that is asked for or, if that is 0, for as long as is usual.
+
+    compliance: of the modes left out; sudden: whether the force may jump, and whether the law yields; longest: slowest
+    period; limits: periods that are marched at most, and shown after the last parting; room: as many steps as there is
+    room for; drawn: `Bent`.
+    """
+    kept, (frequencies, at_contact, _), (constants, _, rigid) = refer(room), modes, of_law
+    every = every_step(kept.displacement)
+    impact = law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits
+    status, step, most = _of_beam(*impact, stride, kept, every, contacts, out)
     if status != SOLVED:
         return status
+    record = refer(cut(kept.record, most))
     count, slopes = int(out[CONTACTS]), kept.slopes
     check_time()
     _together(record, rigid)
     out[STEP] = step * _histories(record, step, contacts, count, drawn)
     until = min(step * most, BEYOND * contacts[count - 1, modal_contacts.END])
     cycle_of(record, step, law, asked, constants, slopes, until, out[DEEPEST], drawn)
-    out[DURATION] = step * most
-    out[HALF] = half_period(frequencies, at_contact, compliance, 1.0 / mass + 1.0 / rigid_mass)
+    out[HALF] = half_period(frequencies, at_contact, compliance, 1.0 / bodies[0] + 1.0 / bodies[1])
     return SOLVED

@@ -10,7 +10,8 @@ from app.views.registry import KINDS
 
 STATIC = Path(app.__file__).parent / "static"
 ROOMS = {"axial", "beam", "mechanism", "space", "fall"}
-LEFT = {"wasm/answers.js"}  # which answers impacts along one axis alone
+# which answer impacts along an axis and across, or read what an answer of either says
+LEFT = {"wasm/answers.js", "wasm/columns.js", "wasm/mapped.js"}
 NAMES = "|".join(sorted(KINDS))
 ASKS = re.compile(rf"kind\b\W{{0,3}}[!=]==? *['\"]({NAMES})['\"]|['\"]({NAMES})['\"] *[!=]==|case ['\"]({NAMES})['\"]:")
 

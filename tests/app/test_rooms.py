@@ -6,7 +6,8 @@ from pathlib import Path
 from app.serving.pages import STATIC
 
 ROOMS = [  # from the top
-    *("offline", "page.js", "kinds.js", "gallery", "courses", "classes", "lesson", "panels", "sharing", "take", "wasm"),
+    *("offline", "page.js", "kinds.js", "gallery", "courses", "classes", "lesson", "panels", "sharing", "take"),
+    *("whatif", "wasm"),
     *("fall", "mechanism", "beam", "axial", "space", "opening", "compare", "away"),
     *("frame", "charts", "form", "clock", "wire", "browser", "text", "place.js"),
 ]

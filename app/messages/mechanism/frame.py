@@ -1,5 +1,7 @@
 """The message for one impact on a link of a mechanism, as of a beam, and with all links and joints."""
 
+from collections.abc import Sequence
+
 from solvers import Solution
 from solvers.bodies import Mechanism
 from solvers.methods.multibody.method import Multibody
@@ -13,11 +15,13 @@ from .moving import follow, moving_fields
 from .resting import LINK_PLACES, RIGID_LINKS, mechanism_fields, rigid_answer, struck_link
 
 
-def mechanism_solution(request: Request) -> tuple[Solution, Note | None]:
+def mechanism_solution(request: Request, figures: Sequence[str] = ()) -> tuple[Solution, Note | None]:
     """The impact, with the note why it is not by the chosen method; of a mechanism that moves on, why links that bend
-    are taken as rigid."""
+    are taken as rigid; `figures`: all that is read of it, none: everything."""
     method, _ = chosen_method(request)
-    return follow(request, method) if isinstance(method, Multibody) else main_solution(request)
+    if isinstance(method, Multibody):
+        return follow(request, method.without_estimate() if figures else method)
+    return main_solution(request, figures)
 
 
 def mechanism_frame(request: Request) -> bytes:

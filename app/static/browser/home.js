@@ -14,6 +14,7 @@ import { placeOf } from '../place.js';
  * @property {string} laboratory  address of one with a server, or nothing
  * @property {ArrayBuffer[]} messages  one of each scene
  * @property {() => Promise<ArrayBuffer>} module  of the kernels; rejects where it is missing or damaged
+ * @property {() => Promise<ArrayBuffer>} worker  script of a worker that has them; likewise
  */
 
 /** Nothing where there is a server. */

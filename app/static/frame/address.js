@@ -70,6 +70,7 @@ function viewOf({ compare, frame, layout, opening, player, scenes, view }, momen
   if (compare.beside) add('beside', compare.beside.letter);
   if (compare.locked) add('locked', true);
   if (scenes.searched !== null) add('gallery', scenes.searched);
+  if (opening.door.said !== null) add('whatif', opening.door.said);
   return found;
 }
 

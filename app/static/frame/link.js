@@ -8,6 +8,7 @@ import { refusalIn } from '../wire/model.js';
 /** @import { Wanted } from './kept.js' */
 
 const PLACE = /^-?\d{1,4}(\.\d{1,9})?$/; // [m]
+const MAP = /^[\w.,:+-]{0,300}$/;
 const WORDS = 60; // letters that are searched in the gallery
 const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
 
@@ -23,6 +24,7 @@ const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
  * @property {Wanted[]} kept
  * @property {string | null} beside
  * @property {boolean} locked
+ * @property {string | null} whatif  what the map shows, where it is open
  * @property {string | null} gallery  what is searched in it, where it is open
  * @property {string[]} bad  keys that say what cannot be
  */
@@ -62,6 +64,7 @@ export function readLink(search, { model, view }) {
     kept,
     beside: get('beside', (value) => kept.find(({ letter }) => letter === value)?.letter ?? null),
     locked: get('locked', yes) ?? false,
+    whatif: get('whatif', (value) => (MAP.test(value) ? value : null)),
     gallery: get('gallery', (value) => value.slice(0, WORDS)),
     bad,
   };
@@ -83,7 +86,7 @@ function stretchOf([start, end, ...more]) {
  * @returns {boolean}  whether it says where the clock is
  */
 export function follow(page, link) {
-  const { bad, beside, colour, gallery, gauge, kept, locked, playing, read, t, tab, view: stretch } = link;
+  const { bad, beside, colour, gallery, gauge, kept, locked, playing, read, t, tab, view: stretch, whatif } = link;
   const { changes, compare, frame, layout, player, view } = page;
   const wrong = changes.held.refusals(frame.acting);
   if (bad.length) wrong.push(text('page.bad-link', { keys: bad }));
@@ -93,6 +96,7 @@ export function follow(page, link) {
   if (gauge !== null) view.gaugeAt?.(gauge);
   if (stretch && view.axis) view.axis.show(stretch);
   if (gallery !== null) page.scenes.open(gallery);
+  if (whatif !== null) page.opening.door.open(whatif);
   if (tab && layout.tabs.offers(tab)) {
     layout.tabs.select(tab);
     layout.place();

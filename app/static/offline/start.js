@@ -79,8 +79,9 @@ const begin = async () => {
   };
   document.title = all.strikewaveTexts.texts['document.title'];
   const module = () => unpacked(all.strikewaveKernels);
+  const worker = () => unpacked(all.strikewaveWorker);
   const gallery = { ...carried.gallery, lessons: listed };
-  all.strikewaveCarried = /** @type {Carried} */ ({ ...carried, gallery, lessons, module });
+  all.strikewaveCarried = /** @type {Carried} */ ({ ...carried, gallery, lessons, module, worker });
   all.strikewavePanels = [];
   await all.strikewavePage();
 };

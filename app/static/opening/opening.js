@@ -9,6 +9,7 @@ import { isChanged } from '../form/settings.js';
 import { CLOSER } from '../wire/held.js';
 import { keep, kept } from '../browser/store.js';
 import { family, text } from '../text/catalogue.js';
+import { Door } from './door.js';
 import { Happens } from './happens.js';
 import { questionOf } from './question.js';
 import { Section } from './section.js';
@@ -84,7 +85,9 @@ export class Opening {
     this.question = make('h2', { tabIndex: -1 });
     this.change = make('button', { type: 'button', className: 'what-if', onclick: () => this.#change() });
     this.ask = make('div', { className: 'ask' }, this.question);
-    this.side = make('div', { className: 'aside' }, this.ask, this.change);
+    this.door = new Door(page);
+    const tries = make('div', { className: 'tries' }, this.change, this.door.button);
+    this.side = make('div', { className: 'aside' }, this.ask, tries);
     this.shares = make('div', { className: 'energy shares', hidden: true });
     this.happens = new Happens(this.section, this.shares);
     this.closer = make('nav', { className: 'closer', ariaLabel: text('opening.closer') });
@@ -168,6 +171,7 @@ export class Opening {
   turn(plan, byHand = true) {
     this.lent = false;
     if (plan === this.plan || this.teaching.on) return;
+    this.door.close();
     this.plan = plan;
     this.led = this.leads;
     if (alone && byHand) keep(PLAN, plan);
@@ -217,11 +221,12 @@ export class Opening {
     this.page.layout.show(tab); // where it was there already
   }
   /**
-   * Escape closes the dock.
+   * Escape closes the dock; the map has keys of its own.
    * @param {KeyboardEvent} event
    */
-  key({ key }) {
-    if (key !== 'Escape' || !this.docked) return false;
+  key(event) {
+    if (this.door.key(event)) return true;
+    if (event.key !== 'Escape' || !this.docked) return false;
     this.turn('opening');
     return true;
   }
@@ -285,7 +290,7 @@ export class Opening {
    */
   #offer(frame) {
     const source = isChanged(frame) ? '' : frame.source;
-    this.closer.hidden = this.page.changes.held.hidden.has(CLOSER);
+    this.closer.hidden = this.door.button.hidden = this.page.changes.held.hidden.has(CLOSER);
     if (this.closer.dataset.said === source) return;
     this.closer.dataset.said = source;
     const { hidden } = this.page.changes.held;
@@ -319,6 +324,7 @@ export class Opening {
   draw(answered = false) {
     this.answered = this.due ? this.answered && answered : answered;
     this.due = true;
+    this.door.take();
   }
   /** @param {number} t */
   show(t) {

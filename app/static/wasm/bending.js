@@ -28,6 +28,25 @@ export const isBent = ({ chosen, draft, laws, main, march, stretch }) =>
   Boolean(march && !draft && !stretch && main.name === chosen.method && laws.some(({ name }) => name === chosen.law));
 
 /**
+ * What these choices make of an answer: who strikes what, and through which law; nothing where the server alone knows.
+ * @param {Kernels} kernels
+ * @param {BeamFrame} from
+ * @param {Chosen} chosen
+ */
+export function strikingAcross(kernels, from, chosen) {
+  const { beam, march } = from;
+  if (!march) return null;
+  const same = chosen.mass_ratio === from.chosen.mass_ratio;
+  const mass = same ? from.impactor.mass : beam.mass / Number(chosen.mass_ratio);
+  const speed = Number(chosen.speed);
+  const law = lawFor(kernels, from, chosen, speed / from.speed, felt(mass, beam) / felt(from.impactor.mass, beam));
+  if (!law) return null;
+  const [rigidMass, whole] = [from.rigidMass ?? Infinity, march.whole ?? Infinity];
+  const struck = { damping: from.damping ?? 0, duration: march.duration ?? 0, march, mass, rigidMass, whole };
+  return { law, march, mass, same, speed, struck };
+}
+
+/**
  * The same impact with other choices.
  * @param {Kernels} kernels
  * @param {BeamFrame} from  the server's answer to the last ones
@@ -36,17 +55,11 @@ export const isBent = ({ chosen, draft, laws, main, march, stretch }) =>
  */
 export function beamWith(kernels, from, chosen) {
   const begun = performance.now();
-  const { beam, march } = from;
-  if (!march) return null;
-  const same = chosen.mass_ratio === from.chosen.mass_ratio;
-  const mass = same ? from.impactor.mass : beam.mass / Number(chosen.mass_ratio);
-  const speed = Number(chosen.speed);
-  const law = lawFor(kernels, from, chosen, speed / from.speed, felt(mass, beam) / felt(from.impactor.mass, beam));
-  if (!law) return null;
+  const striking = strikingAcross(kernels, from, chosen);
+  if (!striking) return null;
+  const { law, march, mass, same, speed, struck } = striking;
   const rigid = !law.constants.length;
-  const [rigidMass, whole] = [from.rigidMass ?? Infinity, march.whole ?? Infinity];
-  const asked = { damping: from.damping ?? 0, duration: march.duration ?? 0, march, mass, rigidMass, whole };
-  const found = kernels.beam(asked, law);
+  const found = kernels.beam(struck, law);
   if (!found) return null;
   const { contacts, cycle, duration, step, steps } = found;
   const grown = (/** @type {Float64Array} */ values) => values.map((value) => value * speed);

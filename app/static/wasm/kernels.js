@@ -48,6 +48,22 @@ const HISTORIES = /** @type {const} */ (['time', 'impactor', 'struck', 'impactor
  */
 
 /**
+ * Figures of one alone, in the same units.
+ * @typedef {object} RodFigures
+ * @property {number} duration
+ * @property {number} final
+ * @property {number} target
+ * @property {number} energy
+ * @property {number} dissipated
+ * @property {number} deepest  indentation [v T]
+ * @property {number} contacts  how many
+ * @property {number} parting  when the last one ends [T]
+ * @property {number} touching  all of them together [T]
+ * @property {number} peak  force [Z v]
+ * @property {number} stress  the largest along the rod, times its area [Z v]; NaN where it is not known
+ */
+
+/**
  * An impact by modes, in the same units.
  * @typedef {object} ModalImpact
  * @property {number} duration
@@ -144,11 +160,8 @@ export class Kernels extends Memory {
    * @returns {Impact | null}
    */
   law(beta, reflection, { name, constants }, asked = 0) {
-    const places = ROOM.law.constants / 2;
     if (!this.roomFor('law')) return null;
-    const given = this.array('law', 'constants', ROOM.law.constants).fill(0);
-    for (const end of [0, 1]) given.set([...constants], end * places);
-    for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
+    this.#giveBothEnds('law', { name, constants });
     const run = this.#waves('law', this.call('law', beta, reflection, asked));
     if (!run) return null;
     const { common, figures, read, rows } = run;
@@ -157,6 +170,23 @@ export class Kernels extends Memory {
     const path = { depths: read('depths'), presses: read('presses') };
     const curve = { loading: read('loading'), unloading: read('unloading') };
     return { ...common, contacts, final, apart, dissipated, cycle: { deepest, dent, ...path, ...curve } };
+  }
+  /**
+   * Figures alone of either.
+   * @param {number} beta
+   * @param {1 | -1} reflection
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law  rigid without constants
+   * @param {number} asked
+   * @param {number} tolerance  of a step through a law; 0: as what is drawn
+   * @returns {RodFigures | null}
+   */
+  figures(beta, reflection, law, asked = 0, tolerance = 0) {
+    if (!law.constants.length) {
+      return asked ? null : /** @type {any} */ (this.call('rod_figures', beta, reflection)?.figures ?? null);
+    }
+    if (!this.roomFor('law_figures')) return null;
+    this.#giveBothEnds('law_figures', law);
+    return /** @type {any} */ (this.call('law_figures', beta, reflection, asked, tolerance)?.figures ?? null);
   }
   /**
    * Either by the lowest modes of the rod.
@@ -246,13 +276,8 @@ export class Kernels extends Memory {
    * @param {Pick<LawRecord, 'name' | 'constants'>} law  in s, kg and the speed; rigid without constants
    * @returns {BentImpact | null}
    */
-  beam({ damping, duration, march, mass, rigidMass, whole }, law) {
-    const { atContact, compliance, frequencies, longest, mean } = march;
-    const count = frequencies.length;
-    if (!this.roomFor('beam')) return null;
-    this.#give('beam', law);
-    this.array('beam', 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
-    const called = this.call('beam', mass, rigidMass, whole, mean, count, compliance, longest, duration);
+  beam(struck, law) {
+    const called = this.#across('beam', struck, law);
     if (!called) return null;
     const { figures, read } = called;
     const { contacts, deepest, dent, half, step, steps } = figures;
@@ -272,8 +297,42 @@ export class Kernels extends Memory {
     };
   }
   /**
+   * Figures alone of the same, in the same units.
+   * @param {Struck} struck
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law
+   * @returns {RodFigures | null}
+   */
+  beamFigures(struck, law) {
+    return /** @type {any} */ (this.#across('beam_figures', struck, law)?.figures ?? null);
+  }
+  /**
+   * Either.
+   * @param {'beam' | 'beam_figures'} kernel
+   * @param {Struck} struck
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law
+   */
+  #across(kernel, { damping, duration, march, mass, rigidMass, whole }, law) {
+    const { atContact, compliance, frequencies, longest, mean } = march;
+    const count = frequencies.length;
+    if (!this.roomFor(kernel)) return null;
+    this.#give(kernel, law);
+    this.array(kernel, 'shapes', 3 * count).set([...frequencies, ...atContact, ...atContact.map(() => damping)]);
+    return this.call(kernel, mass, rigidMass, whole, mean, count, compliance, longest, duration);
+  }
+  /**
+   * Write a contact law for both ends of a rod.
+   * @param {'law' | 'law_figures'} kernel
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law
+   */
+  #giveBothEnds(kernel, { name, constants }) {
+    const size = ROOM[kernel].constants;
+    const given = this.array(kernel, 'constants', size).fill(0);
+    for (const end of [0, 1]) given.set([...constants], (end * size) / 2);
+    for (const end of [1, 2]) given[(end * size) / 2 - 1] = LAWS.indexOf(name);
+  }
+  /**
    * Write a contact law for a march.
-   * @param {'modes' | 'beam' | 'compact'} kernel
+   * @param {'modes' | 'beam' | 'beam_figures' | 'compact'} kernel
    * @param {Pick<LawRecord, 'name' | 'constants'>} law
    */
   #give(kernel, { name, constants }) {

@@ -68,11 +68,15 @@ export class Memory {
       return [ask(), false];
     } catch (error) {
       if (error !== LATE) throw error;
-      this.stack.value = this.top;
+      this.restore();
       return [null, true];
     } finally {
       this.deadline = Infinity;
     }
+  }
+  /** Begin anew after a kernel that was left, or has failed, in the middle. */
+  restore() {
+    this.stack.value = this.top;
   }
   #checkTime() {
     if (performance.now() > this.deadline) throw LATE;

@@ -47,6 +47,23 @@ const pressed = ({ chosen, flowDepth, laws, touchFlow }) =>
   laws.some(({ name }) => name === chosen.law) && !flowDepth && !touchFlow;
 
 /**
+ * What strikes, and how, by other choices; nothing where the server alone knows the law.
+ * @param {Kernels} kernels
+ * @param {AxialFrame} from  the server's answer to the last ones
+ * @param {Chosen} chosen  that differ in what is followed alone
+ */
+export function strikingBy(kernels, from, chosen) {
+  const change = Number(chosen.mass_ratio) / Number(from.chosen.mass_ratio);
+  const mass = change === 1 || Number.isNaN(change) ? from.impactor.mass : from.target.mass / Number(chosen.mass_ratio);
+  const speed = Number(chosen.speed);
+  const times = speed / from.speed;
+  const heavier = felt(mass, from.target) / felt(from.impactor.mass, from.target);
+  const law = lawFor(kernels, from, chosen, times, heavier);
+  const side = /** @type {1 | -1} */ (from.rods[0].mirror > 0 ? 1 : -1);
+  return law && { asked: from.asked, beta: from.target.mass / mass, law, mass, side, speed, times };
+}
+
+/**
  * The same impact with other choices.
  * @param {Kernels} kernels
  * @param {AxialFrame} from  the server's answer to the last ones
@@ -55,17 +72,11 @@ const pressed = ({ chosen, flowDepth, laws, touchFlow }) =>
  */
 export function rodWith(kernels, from, chosen) {
   const begun = performance.now();
-  const change = Number(chosen.mass_ratio) / Number(from.chosen.mass_ratio);
-  const mass = change === 1 || Number.isNaN(change) ? from.impactor.mass : from.target.mass / Number(chosen.mass_ratio);
-  const beta = from.target.mass / mass;
-  const speed = Number(chosen.speed);
-  const times = speed / from.speed;
-  const heavier = felt(mass, from.target) / felt(from.impactor.mass, from.target);
-  const law = lawFor(kernels, from, chosen, times, heavier);
-  const side = from.rods[0].mirror > 0 ? 1 : -1;
-  const { asked } = from;
-  const through = Boolean(law?.constants.length);
-  const impact = law && (through ? kernels.law(beta, side, law, asked) : asked ? null : kernels.rod(beta, side));
+  const striking = strikingBy(kernels, from, chosen);
+  if (!striking) return null;
+  const { asked, beta, law, mass, side, speed, times } = striking;
+  const through = law.constants.length > 0;
+  const impact = through ? kernels.law(beta, side, law, asked) : asked ? null : kernels.rod(beta, side);
   if (!impact) return null;
   const scales = { speed, forceUnit: from.forceUnit * times, stressUnit: from.stressUnit * times };
   const { duration, histories: drawn } = impact;

@@ -17,7 +17,7 @@ from solvers.scenes.library import scene_of
 
 from .conftest import SECONDS, choose
 
-MOST = 820_000  # bytes of all files
+MOST = 870_000  # bytes of all files: 866 000 with the map, and kernels of figures alone for it
 PHONE = {"width": 390, "height": 844}
 TRAPPING = """const { instantiate } = WebAssembly;
 WebAssembly.instantiate = async (...given) => {

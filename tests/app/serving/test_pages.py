@@ -92,6 +92,7 @@ def test_the_page_is_packed_of_these_sources():
     whole = found.files["page.js"]
     assert len(whole) < 460_000 and len(gzip.compress(whole, 6, mtime=0)) <= 165_000
     assert text_of(STATIC / "page.js") == whole
+    worker = "wasm/worker.js"  # which has all that it takes once more: nothing of the page is there
     late = {name for name in pages.LATE if name.endswith(".js")}
     assert {name for name in found.files if name.endswith(".js") and not name.startswith("offline/")} == {
         *("page.js", "browser/modules.js", "browser/start.js"),
@@ -99,12 +100,13 @@ def test_the_page_is_packed_of_these_sources():
     }
     named = {path.relative_to(STATIC).as_posix(): path.read_text("utf-8") for path in STATIC.rglob("*.js")}
     apart = {"browser/modules.js", "browser/start.js"}  # which the document loads
-    apart |= {name for name in named if name.startswith("offline/")}  # of a page without a server
+    apart |= {name for name in named if name.startswith("offline/")} | {worker}  # of a page without a server
     names = {name for name, text in named.items() if "export {};" not in text}  # the others are types alone
-    rooms = {entry: {name for name in names if name.split("/")[0] == entry.split("/")[0]} for entry in late}
+    rooms = {entry: {name for name in names if name.split("/")[0] == entry.split("/")[0]} for entry in late - {worker}}
     assert names & {*found.modules["page.js"]} == names.difference(apart, *rooms.values())
     for entry, own in rooms.items():  # what is there before is not there once more
-        assert names & {*found.modules[entry]} == own
+        assert names & {*found.modules[entry]} == own - {worker}
+    assert not re.search(rb"\b(document|window)\.", found.files[worker])  # of which a worker has none
 
 
 @pytest.mark.parametrize("given", ["none", "of others"])

@@ -38,11 +38,16 @@ function modes(found, [beta, reflection, name, constants, count, touching, durat
   return { ...figures, contacts: rows, force: [...force], mass: [...mass], end: [...end] };
 }
 
-function beam(found, [struck, name, constants]) {
+function struckBy({ rigidMass, whole, ...rest }) {
   const infinite = (value) => value ?? Infinity;
-  const { rigidMass, whole, ...rest } = struck;
-  const given = { ...rest, rigidMass: infinite(rigidMass), whole: infinite(whole) };
-  const impact = found.beam(given, { name, constants });
+  return { ...rest, rigidMass: infinite(rigidMass), whole: infinite(whole) };
+}
+
+const beamFigures = (found, [struck, name, constants]) =>
+  found.beamFigures(struckBy(struck), { name, constants }) ?? {};
+
+function beam(found, [struck, name, constants]) {
+  const impact = found.beam(struckBy(struck), { name, constants });
   if (!impact) return {};
   const { contacts, cycle, force, rates, time, impactor, struck: face, impactorRate, struckRate, ...figures } = impact;
   const rows = contacts.map((c) => [c.start, c.end, c.push, c.peak, c.after]);
@@ -82,7 +87,10 @@ function balance(found, [made, duration]) {
   return Object.fromEntries(lists);
 }
 
-const KINDS = { rod, law, modes, beam, spring, compact, chain, balance };
+const figures = (found, [beta, reflection, name, constants, , asked, tolerance]) =>
+  found.figures(beta, reflection, { name, constants }, asked, tolerance) ?? {};
+
+const KINDS = { figures, beamFigures, rod, law, modes, beam, spring, compact, chain, balance };
 
 const ofKind = (given, one) =>
   Object.fromEntries(Object.entries(given).map(([name, impacts]) => [name, impacts.map((each) => one(name, each))]));

@@ -1,0 +1,69 @@
+// The way to the map, and back: fetched when it is first opened.
+import { make } from '../browser/dom.js';
+import { late } from '../browser/late.js';
+import { text } from '../text/catalogue.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { WhatIf } from '../whatif/whatif.js' */
+
+const KEY = 'w';
+
+export class Door {
+  /** @type {WhatIf | null} */ whatif = null; // once it was opened
+  opened = false;
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.button = make('button', { type: 'button', className: 'to-map', textContent: text('opening.map') });
+    this.button.title = text('opening.map-about');
+    this.button.onclick = () => this.open();
+  }
+  /**
+   * Have the map in place of the picture.
+   * @param {string} [said]  what a link says of it
+   */
+  async open(said = '') {
+    const { opening } = this.page;
+    if (this.opened || opening.teaching.on) return;
+    if (opening.plan !== 'opening') opening.turn('opening');
+    this.opened = true;
+    try {
+      /** @type {typeof import('../whatif/whatif.js')} */
+      const { WhatIf: Map } = await late('whatif/whatif.js');
+      this.whatif ??= new Map(this.page, () => this.close());
+    } catch {
+      this.opened = false; // the server is gone
+      this.page.complain(text('opening.no-map'));
+      return;
+    }
+    if (!this.opened) return;
+    await this.whatif.enter(said);
+    this.page.history.later();
+  }
+  close() {
+    if (!this.opened) return;
+    this.opened = false;
+    this.whatif?.leave();
+    this.button.focus();
+    this.page.history.later();
+  }
+  /** What a link says of it. */
+  get said() {
+    return this.opened && this.whatif ? this.whatif.said : null;
+  }
+  /** Another answer is shown. */
+  take() {
+    if (this.opened) this.whatif?.take();
+  }
+  /**
+   * W opens it, Escape leads back.
+   * @param {KeyboardEvent} event
+   */
+  key({ key }) {
+    if (key === 'Escape' && this.opened) this.close();
+    else if (key.toLowerCase() === KEY && !this.opened) this.open();
+    else return false;
+    return true;
+  }
+}

@@ -1,0 +1,167 @@
+// What a map still needs, for whoever finds it: coarse points first, then finer ones, then where contacts change.
+import { text } from '../text/catalogue.js';
+import { placeOf } from './places.js';
+import { PLACE, WIDTH } from './results.js';
+import { counted, halve } from './lattice.js';
+
+/** @import { Window, Point } from './window.js' */
+/** @import { Job } from './points.js' */
+/** @import { WhatIf } from './whatif.js' */
+
+const SPENT = { own: { held: 5, free: 9 }, served: { held: 200, free: 400 } }; // ms that a job takes
+const TOLERANCE = 1e-5; // of a step through a contact law: colours need no more, and it is some four times as quick
+const [FEW, MANY] = [4, 256]; // impacts in a job
+
+export class MapJobs {
+  /** @type {Window | null} */ view = null;
+  /** @type {Point[][]} */ wanted = []; // by level
+  /** @type {ReturnType<Window['halves']> | null} */ halves = null; // once they are looked for
+  coarse = false; // whether the first picture is not yet whole
+  /** @type {{ key: string, found: Float64Array | null }} */ own = { key: '', found: null };
+  under = 0; // jobs that are under way
+
+  /** @param {WhatIf} whatif */
+  constructor(whatif) {
+    this.whatif = whatif;
+  }
+  get idle() {
+    const others = this.whatif.modes.shown?.jobs.idle ?? true;
+    const found = !this.view || this.halves?.length === 0; // also where contacts change
+    return others && found && !this.under && !this.wanted.length;
+  }
+  /**
+   * @param {Window | null} view
+   */
+  plan(view) {
+    this.view = view;
+    this.wanted = [];
+    this.halves = null;
+    this.coarse = false;
+    if (!view) return;
+    const { x, x0, x1, y, y0, y1 } = view.axes;
+    const at = /** @type {[number, number]} */ ([
+      (placeOf(x, this.whatif.value(x)) - x0) / (x1 - x0),
+      (placeOf(y, this.whatif.value(y)) - y0) / (y1 - y0),
+    ]);
+    this.wanted = view.plan(at, false);
+    this.coarse = view.coarse;
+  }
+  /** @returns {Job | null} */
+  next() {
+    const { view } = this;
+    const { gains, goal, modes } = this.whatif;
+    if (!view && !modes.shown) return null;
+    const first = this.#own() ?? goal.pulling.next() ?? goal.seek.next();
+    if (first) return first;
+    if (!view) return modes.next(this.many) ?? gains.next();
+    const gain = this.coarse ? null : gains.next();
+    if (gain) return gain;
+    while (this.wanted.length && !this.wanted[0].length) this.wanted.shift();
+    if (!this.wanted.length && !this.halves) {
+      this.wanted = [view.mend()].filter(({ length }) => length);
+      this.halves = view.halves();
+    }
+    return this.wanted.length ? this.#points(view) : this.#edges(view);
+  }
+  /**
+   * The scene itself, where the page's answer does not say all that is shown.
+   * @returns {Job | null}
+   */
+  #own() {
+    const { chosen, x, y } = this.whatif;
+    const key = JSON.stringify(chosen);
+    if (key === this.own.key) return null;
+    this.own.key = key;
+    const rows = Float64Array.of(this.whatif.value(x), this.whatif.value(y));
+    return this.#job(rows, 0, (found) => {
+      if (found && !found[0]) this.own.found = found;
+    });
+  }
+  /** Impacts in the time of a job. */
+  get many() {
+    const { held, points } = this.whatif;
+    const spent = SPENT[points.source === points.own ? 'own' : 'served'][held ? 'held' : 'free'];
+    return Math.max(FEW, Math.min(MANY, Math.round(spent / points.spent)));
+  }
+  /**
+   * @param {Window} view
+   * @returns {Job}
+   */
+  #points(view) {
+    const { lattice } = view;
+    const some = this.wanted[0].splice(0, this.many);
+    const keys = some.map(([i, j]) => view.key(i, j));
+    for (const key of keys) lattice.asked.add(key);
+    const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
+    return this.#job(rows, TOLERANCE, (found, why) => {
+      const left = keys.flatMap((key, k) => (found?.[k * WIDTH] ? [k] : []));
+      keys.forEach((key, k) => {
+        lattice.asked.delete(key);
+        if (!found) return;
+        lattice.keep(key, found, k);
+        if (found[k * WIDTH]) lattice.why.set(key, why?.get(k) ?? text('whatif.refused'));
+      });
+      if (left.length) this.#elsewhere(view, left.map((k) => some[k])); // prettier-ignore
+    });
+  }
+  /**
+   * What the browser's kernels have no room for, the server finds.
+   * @param {Window} view
+   * @param {Point[]} some
+   */
+  #elsewhere(view, some) {
+    const { lattice } = view;
+    const { named, points } = this.whatif;
+    const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
+    points.elsewhere({
+      ...{ chosen: this.whatif.chosen, names: [named.x, named.y], rows },
+      done: (found, _, why) => {
+        some.forEach(([i, j], k) => {
+          if (!found) return;
+          lattice.keep(view.key(i, j), found, k);
+          if (found[k * WIDTH]) lattice.why.set(view.key(i, j), why?.get(k) ?? text('whatif.refused'));
+        });
+        this.whatif.came();
+      },
+    });
+  }
+  /**
+   * @param {Window} view
+   * @returns {Job | null}
+   */
+  #edges(view) {
+    const { lattice } = view;
+    const all = this.halves?.splice(0, this.many);
+    if (!all?.length) return null;
+    for (const { name } of all) lattice.halving.add(name);
+    const rows = Float64Array.from(all.flatMap(({ row }) => row));
+    return this.#job(rows, TOLERANCE, (found) => {
+      all.forEach(({ at, edge, name }, k) => {
+        lattice.halving.delete(name);
+        lattice.version += 1;
+        if (found) halve(edge, at, found[k * WIDTH] ? -1 : counted(found[k * WIDTH + PLACE.contacts]));
+      });
+    });
+  }
+  /**
+   * @param {Float64Array} rows
+   * @param {number} tolerance
+   * @param {(found: Float64Array | null, why?: Map<number, string>) => void} take
+   * @returns {Job}
+   */
+  #job(rows, tolerance, take) {
+    this.under += 1;
+    const { chosen, named } = this.whatif;
+    return {
+      chosen,
+      names: [named.x, named.y],
+      rows,
+      tolerance,
+      done: (found, _, why) => {
+        this.under -= 1;
+        take(found, why);
+        this.whatif.came();
+      },
+    };
+  }
+}

@@ -1,0 +1,382 @@
+// What if …: the scene as a point on a map over two choices. The picture lives on beside it; whatever is moved, point,
+// slider or axis, thousands of impacts follow.
+import { make, write } from '../browser/dom.js';
+import { sizeOf } from '../charts/canvas.js';
+import { grouped } from '../text/format.js';
+import { text } from '../text/catalogue.js';
+import { axesOf } from './axes.js';
+import { Gains } from './gains.js';
+import { Goal } from './goal.js';
+import { Hands } from './hands.js';
+import { Lattice } from './lattice.js';
+import { Window } from './window.js';
+import { MapJobs } from './map_jobs.js';
+import { Modes } from './modes.js';
+import { Plane } from './plane.js';
+import { placeOf, usualRange } from './places.js';
+import { Points } from './points.js';
+import { NAMES, shownOf, valueOf } from './results.js';
+import { Sentence } from './sentence.js';
+import { figuresOfWhole } from '../wasm/columns.js';
+import { Tiles, domainOf } from './tiles.js';
+
+/** @import { Chosen } from '../messages.js' */
+/** @import { Page } from '../page.js' */
+/** @import { Axis } from './axes.js' */
+/** @import { Domain } from './plane.js' */
+/** @import { Result } from './results.js' */
+
+const KEPT = 16; // lattices
+const FIRST = ['mass_ratio', 'speed']; // axes where nobody has chosen any, after what sets how stiff the contact is
+const STREAM = 100; // ms between pictures of what comes in while nothing is held
+const TILES = 250; // ms between those of the small maps
+const OFTEN_NONE = ['target_velocity', 'dissipated']; // as where it is held, or nothing is lost
+const LEAST = 1e-9;
+const OFF = 0.12; // of a scale, that the values may be off by before it follows
+
+export class WhatIf {
+  /** @type {Axis[]} */ axes = [];
+  /** @type {Result} */ result = 'peak_force';
+  /** @type {Record<'x' | 'y', string>} */ named = { x: '', y: '' };
+  /** @type {Map<string, [from: number, to: number]>} */ ranges = new Map(); // places that are shown, by axis
+  /** @type {Map<string, Lattice>} */ lattices = new Map();
+  /** @type {Lattice | null} */ lattice = null;
+  /** @type {Window | null} */ view = null;
+  /** @type {Record<string, number>} */ wanted = {}; // by result
+  /** @type {Domain | null} */ domain = null;
+  domainOf = '';
+  scene = '';
+  asked = ''; // by a link
+  seen = ''; // what of which lattice
+  filled = ''; // with which result
+  painted = ''; // what the map shows
+  open = false;
+  held = false; // by a hand
+  numbered = 0; // lattices so far
+  due = 0;
+  /** @type {number | undefined} */ streaming;
+  tiled = 0; // when the small maps were drawn
+  tiling = 0;
+
+  /**
+   * @param {Page} page
+   * @param {() => void} close  by hand
+   */
+  constructor(page, close) {
+    this.page = page;
+    this.jobs = new MapJobs(this);
+    this.points = new Points(page, () => (this.open ? this.jobs.next() : null));
+    this.sentence = new Sentence((slot, name) => this.choose(slot, name));
+    this.plane = new Plane();
+    this.goal = new Goal(this);
+    this.gains = new Gains(this);
+    this.tiles = new Tiles((result) => this.choose('of', result));
+    this.status = make('p', { className: 'whatif-status', role: 'status' });
+    this.words = make('p', { className: 'whatif-said', ariaLive: 'polite' });
+    this.modes = new Modes(this);
+    const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
+    this.back = make('button', /** @type {any} */ (back));
+    this.back.title = text('whatif.back-about');
+    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root, this.back);
+    this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root);
+    const foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
+    this.parts = [this.head, this.plane.root, ...this.modes.parts, foot, this.side];
+    this.hands = new Hands(this);
+  }
+  /**
+   * Have it in place of the picture.
+   * @param {string} said  by a link
+   */
+  async enter(said) {
+    if (this.open) return;
+    this.open = true;
+    this.asked = this.modes.follow(said);
+    this.page.root.dataset.whatif = this.modes.mode;
+    this.page.root.append(...this.parts);
+    if (!this.points.ready) {
+      write(this.status, text('whatif.preparing'));
+      await this.points.prepare();
+    }
+    if (!this.open) return;
+    this.take();
+    this.page.place();
+  }
+  /** What a link says of it: the result, both axes, and what is wanted. */
+  get said() {
+    const wanted = this.wanted[this.result];
+    return (
+      this.modes.said + [this.result, this.named.x, this.named.y, ...(wanted === undefined ? [] : [wanted])].join(',')
+    );
+  }
+  /** As a link says. */
+  #follow() {
+    const [result, x, y, wanted] = this.asked.split(',');
+    this.asked = '';
+    const known = NAMES.find((name) => name === result);
+    if (known) this.result = known;
+    if (this.axis(x)) this.named.x = x;
+    if (this.axis(y) && y !== this.named.x) this.named.y = y;
+    if (wanted && Number.isFinite(Number(wanted))) this.wanted[this.result] = Number(wanted);
+  }
+  leave() {
+    this.open = false;
+    delete this.page.root.dataset.whatif;
+    for (const part of this.parts) part.remove();
+    this.gains.leave();
+    this.points.leave();
+    this.points.ready = false;
+    this.page.place();
+  }
+  /** Choices as they are shown. */
+  get chosen() {
+    return this.page.frame.chosen;
+  }
+  /** @param {string} name */
+  axis(name) {
+    return this.axes.find((each) => each.name === name);
+  }
+  get x() {
+    return /** @type {Axis} */ (this.axis(this.named.x));
+  }
+  get y() {
+    return /** @type {Axis} */ (this.axis(this.named.y));
+  }
+  /**
+   * The present value of an axis.
+   * @param {Axis} axis
+   */
+  value({ body, name }) {
+    if (!body) return Number(this.chosen[name]);
+    const values = this.page.frame.parts.flatMap(({ key, values: all }) =>
+      all.map((each) => /** @type {const} */ ([`${key}.${each.quantity}`, each.value])),
+    );
+    return Number(values.find(([key]) => key === name)?.[1]);
+  }
+  /** @param {Axis} axis  Places that are shown. */
+  range(axis) {
+    const known = this.ranges.get(axis.name) ?? usualRange(axis, this.value(axis));
+    this.ranges.set(axis.name, known);
+    return known;
+  }
+  /** Another answer is shown, of the server or of the browser itself. */
+  take() {
+    if (!this.open || !this.points.ready) return;
+    const { frame } = this.page;
+    const scene = JSON.stringify([frame.chosen.scene, frame.kind]);
+    const acts = (/** @type {string} */ name) => name !== 'restitution' || !('damps' in frame) || frame.damps;
+    this.axes = axesOf(frame, this.page.model, this.page.changes.held).filter(
+      ({ high, low, name }) => high > low && acts(name), // restitution may be that of a prediction alone
+    );
+    if (scene !== this.scene) {
+      this.scene = scene;
+      this.ranges.clear();
+      this.lattices.clear();
+      this.wanted = {};
+      this.named = { x: '', y: '' };
+    }
+    if (this.asked) this.#follow();
+    this.#settle();
+    this.schedule();
+  }
+  /** Axes that there are. */
+  #settle() {
+    const { axes } = this;
+    const stiff = axes.filter(({ name }) => name.endsWith('stiffness')).map(({ name }) => name);
+    const usual = [...new Set(['mass_ratio', ...stiff, ...FIRST, ...axes.map(({ name }) => name)])];
+    const there = usual.filter((name) => this.axis(name) && !this.axis(name)?.whole);
+    if (!this.axis(this.named.x)) this.named.x = there.find((name) => name !== this.named.y) ?? '';
+    if (!this.axis(this.named.y)) this.named.y = there.find((name) => name !== this.named.x) ?? '';
+  }
+  /**
+   * @param {'of' | 'x' | 'y'} slot
+   * @param {string} name
+   */
+  choose(slot, name) {
+    if (slot === 'of') this.result = /** @type {Result} */ (name);
+    else {
+      const other = slot === 'x' ? 'y' : 'x';
+      if (this.named[other] === name) this.named[other] = this.named[slot];
+      this.named[slot] = name;
+    }
+    this.schedule();
+  }
+  schedule() {
+    if (this.open) this.due ||= requestAnimationFrame(() => this.draw());
+  }
+  /** Impacts have come in: shown at once where they are waited for, else some times a second. */
+  came() {
+    if (this.held || (this.modes.shown?.jobs.rough ?? this.jobs.coarse)) this.schedule();
+    else this.streaming ??= window.setTimeout(() => [(this.streaming = undefined), this.schedule()], STREAM);
+  }
+  /** What is kept of the scene as it is chosen, but for its axes. */
+  #lattice() {
+    const { named } = this;
+    const others = Object.entries(this.chosen).filter(([name]) => name !== named.x && name !== named.y);
+    const key = JSON.stringify([named.x, named.y, this.points.source === this.points.own, others]);
+    const known = this.lattices.get(key) ?? new Lattice((this.numbered += 1));
+    this.lattices.delete(key);
+    this.lattices.set(key, known); // the newest last
+    for (const [old] of [...this.lattices].slice(0, -KEPT)) this.lattices.delete(old);
+    return known;
+  }
+  /** All that follows. */
+  draw() {
+    this.due = 0;
+    const { plane, points, x, y } = this;
+    const { shown } = this.modes;
+    if (!this.open || !points.ready || !(shown ?? plane).measure()) return;
+    if (!x || !y || !points.about(this.chosen, [x.name, y.name])) {
+      this.view = null;
+      this.jobs.plan(null);
+      write(this.status, text(x && y ? 'whatif.not-here' : 'whatif.no-axes'));
+      return;
+    }
+    const results = this.#results();
+    if (this.jobs.own.found && !results.includes(this.result)) [this.result] = results;
+    this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
+    this.tiles.offer(results);
+    if (shown) this.#instead(shown, results);
+    else {
+      this.#look(x, y);
+      this.#paint();
+      this.over();
+      this.#tile();
+    }
+    this.goal.follow();
+    this.goal.draw();
+    this.gains.follow();
+    this.#say();
+    points.feed();
+  }
+  /**
+   * What of the lattice is seen, where that is not known already.
+   * @param {Axis} x
+   * @param {Axis} y
+   */
+  #look(x, y) {
+    const lattice = this.#lattice();
+    const [[x0, x1], [y0, y1]] = [this.range(x), this.range(y)];
+    const { h, w } = this.plane.plot;
+    const seen = JSON.stringify([lattice.number, lattice.version, x0, x1, y0, y1, w, h]);
+    if (this.view && seen === this.seen) return;
+    this.seen = seen;
+    this.lattice = lattice;
+    this.view = new Window(lattice, { x, y, x0, x1, y0, y1 }, [w, h], this.points.quick);
+    this.jobs.plan(this.view);
+  }
+  /** The map, where anything that it shows has changed. */
+  #paint() {
+    const { held, plane, result, view } = this;
+    if (!view) return;
+    const wanted = this.wanted[result] ?? null;
+    const filled = `${this.seen} ${result}`;
+    if (filled !== this.filled) {
+      view.fill(result);
+      this.#scale();
+    }
+    this.filled = filled;
+    const painted = JSON.stringify([filled, this.domain, wanted, held, sizeOf(plane.root)]);
+    if (!this.domain || painted === this.painted) return;
+    plane.draw(view, result, this.domain, wanted, held);
+    this.painted = painted;
+  }
+  /**
+   * Why there is nothing at a place.
+   * @param {[x: number, y: number] | null} share  of the map
+   */
+  look(share) {
+    const why = share && this.view?.why(...share);
+    write(this.words, why ?? '');
+  }
+  /**
+   * Another view in the place of the map.
+   * @param {NonNullable<Modes['shown']>} shown
+   * @param {Result[]} results
+   */
+  #instead(shown, results) {
+    this.view = null;
+    this.seen = '';
+    this.jobs.plan(null);
+    this.tiles.say((result) => this.here(result), this.result);
+    shown.draw(results);
+    this.domain = shown.domain;
+    this.domainOf = '';
+  }
+  /** What is above the map: the point of the scene. */
+  over() {
+    const { plane, view, x, y } = this;
+    if (!view || !this.domain) return;
+    const values = /** @type {[number, number]} */ ([this.value(x), this.value(y)]);
+    const at = /** @type {[number, number]} */ ([placeOf(x, values[0]), placeOf(y, values[1])]);
+    const wanted = this.wanted[this.result] ?? null;
+    plane.drawOver(
+      { x, y, at, values, result: this.result, value: this.here(this.result), wanted, kept: [] },
+      view.axes,
+    );
+  }
+  /**
+   * What the page has found of the scene.
+   * @param {Result} result
+   */
+  here(result) {
+    const value = valueOf(result, figuresOfWhole(this.page.frame));
+    const { found } = this.jobs.own;
+    return Number.isNaN(value) && found ? valueOf(result, found) : value;
+  }
+  /** Results that there are in this scene. */
+  #results() {
+    const { found } = this.jobs.own;
+    const there = NAMES.filter((name) => Number.isFinite(this.here(name)));
+    const some = there.filter((name) => !OFTEN_NONE.includes(name) || Math.abs(this.here(name)) > LEAST);
+    if (found || some.length) return some.length ? some : NAMES;
+    return NAMES;
+  }
+  /** The scale follows where values have gone far beyond it, or it is of something else. */
+  #scale() {
+    const { held, result, view } = this;
+    const found = view && domainOf(view, result);
+    const of = JSON.stringify([result, this.named, this.scene]);
+    if (!found) {
+      if (of !== this.domainOf) this.domain = shownOf(result).whole ? [0.5, 5.5] : null;
+      return;
+    }
+    const { domain } = this;
+    const off = domain && Math.max(...found.map((end, k) => Math.abs(end - domain[k]))) / (domain[1] - domain[0]);
+    if (of === this.domainOf && off !== null && (held || off < OFF) && !this.jobs.coarse) return;
+    this.domain = found;
+    this.domainOf = of;
+  }
+  #tile() {
+    this.tiles.say((result) => this.here(result), this.result);
+    const now = performance.now();
+    const wait = this.tiled + TILES - now;
+    if (wait > 0) {
+      this.tiling ||= window.setTimeout(() => [(this.tiling = 0), this.schedule()], wait);
+      return;
+    }
+    const { view, x, y } = this;
+    if (!view || (this.held && this.jobs.coarse)) return;
+    this.tiled = now;
+    const share = (/** @type {Axis} */ axis) => {
+      const [from, to] = this.range(axis);
+      return (placeOf(axis, this.value(axis)) - from) / (to - from);
+    };
+    if (this.tiles.draw(view, [share(x), share(y)], this.seen)) this.filled = ''; // it is with another result by now
+  }
+  #say() {
+    const { points } = this;
+    const count = grouped(points.solved);
+    const where = points.source === points.own ? 'browser' : 'server';
+    write(this.status, text('whatif.status', { count, where, busy: String(!this.jobs.idle) }));
+  }
+  /**
+   * Set choices by hand.
+   * @param {[axis: Axis, value: number][]} values
+   */
+  set(values) {
+    for (const [axis, value] of values) {
+      if (axis.body) this.page.bodies.set(axis.name, value);
+      else this.page.choose(axis.name, value);
+    }
+  }
+}

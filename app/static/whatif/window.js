@@ -1,0 +1,344 @@
+// What a map shows of a lattice: which points it still needs, coarse ones first, and their values.
+import { MISSING } from './lattice.js';
+import { longOf, valueAt } from './places.js';
+import { NAMES, PLACE, WIDTH, shownOf, valueOf } from './results.js';
+
+/** @import { Axis } from './axes.js' */
+/** @import { Lattice } from './lattice.js' */
+/** @import { Result } from './results.js' */
+
+const FINEST = 12; // levels: steps of 2^-level
+const LEAST = 3; // so that the coarse points have a step that divides one
+const COARSE = 8; // steps of the first picture, in steps of the finest
+const ROW = 2 ** 24;
+const CELL = [7, 10]; // pixels, at least, of a step: where one is found in a moment, and where that takes longer
+const STRAIGHT = 0.002; // of its scale, or of a decade: what a straight line may be off by
+const HALVINGS = 5; // of a step of the lattice, until a change of contacts is found to 1e-3 of an axis
+
+/** @typedef {{ x: Axis, y: Axis, x0: number, x1: number, y0: number, y1: number }} Axes  ends as places */
+/** @typedef {[i: number, j: number]} Point  of a window */
+
+export class Window {
+  coarse = false; // whether coarse points are missing
+  /** @type {Int32Array} */ index; // of points, by row; MISSING
+  values = new Float64Array(0); // of the result that is shown; logarithms where its scale is
+  contacts = new Int16Array(0); // 0: nothing known; negative: refused
+
+  /**
+   * @param {Lattice} lattice
+   * @param {Axes} axes
+   * @param {[width: number, height: number]} size  of the plot [px]
+   * @param {boolean} quick  whether a point is found in a moment
+   */
+  constructor(lattice, axes, size, quick) {
+    Object.assign(this, { axes, lattice, size });
+    this.lattice = lattice;
+    this.axes = axes;
+    this.size = size;
+    const cell = CELL[quick ? 0 : 1];
+    const along = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ pixels) => {
+      const level = Math.floor(-Math.log2((cell * (to - from)) / pixels));
+      const step = 2 ** -Math.min(Math.max(level, LEAST), FINEST);
+      const first = Math.floor(from / step / COARSE + 1e-9) * COARSE;
+      const last = Math.ceil(to / step / COARSE - 1e-9) * COARSE;
+      return { step, first, count: Math.max(last - first, COARSE) + 1 };
+    };
+    const [across, up] = [along(axes.x0, axes.x1, size[0]), along(axes.y0, axes.y1, size[1])];
+    this.steps = [across.step, up.step];
+    this.first = [across.first, up.first];
+    this.nx = across.count;
+    this.ny = up.count;
+    this.look();
+  }
+  /**
+   * @param {number} i
+   * @param {number} j
+   */
+  key(i, j) {
+    const [x, y] = this.steps.map((step) => step * 2 ** FINEST);
+    return (i + this.first[0]) * x * ROW + (j + this.first[1]) * y;
+  }
+  /**
+   * Place in the plot, 0 to 1 each, of a point.
+   * @param {number} i
+   * @param {number} j
+   */
+  spot(i, j) {
+    const { x0, x1, y0, y1 } = this.axes;
+    return [
+      ((i + this.first[0]) * this.steps[0] - x0) / (x1 - x0),
+      ((j + this.first[1]) * this.steps[1] - y0) / (y1 - y0),
+    ];
+  }
+  /**
+   * Values of both axes there; between points with parts of steps.
+   * @param {number} i
+   * @param {number} j
+   */
+  row(i, j) {
+    const { x, y } = this.axes;
+    return [valueAt(x, (i + this.first[0]) * this.steps[0]), valueAt(y, (j + this.first[1]) * this.steps[1])];
+  }
+  /**
+   * Whether a point is in the plot.
+   * @param {number} i
+   * @param {number} j
+   */
+  seen(i, j) {
+    return this.spot(i, j).every((place) => place > -1e-9 && place < 1 + 1e-9);
+  }
+  /**
+   * The value of the nearest point to a place.
+   * @param {number} X  0 to 1, as is the other
+   * @param {number} Y
+   */
+  near(X, Y) {
+    const { axes, first, steps } = this;
+    const i = Math.round((axes.x0 + X * (axes.x1 - axes.x0)) / steps[0]) - first[0];
+    const j = Math.round((axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1]) - first[1];
+    return this.values[j * this.nx + i];
+  }
+  /**
+   * Why the nearest point to a place is refused, if it is.
+   * @param {number} X
+   * @param {number} Y
+   */
+  why(X, Y) {
+    const { axes, first, steps } = this;
+    const i = Math.round((axes.x0 + X * (axes.x1 - axes.x0)) / steps[0]) - first[0];
+    const j = Math.round((axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1]) - first[1];
+    return this.lattice.why.get(this.key(i, j)) ?? null;
+  }
+  /** Find again which points are known. */
+  look() {
+    const { lattice, nx, ny } = this;
+    this.index = new Int32Array(nx * ny);
+    for (let j = 0, k = 0; j < ny; j++)
+      for (let i = 0; i < nx; i++, k++) this.index[k] = lattice.points.get(this.key(i, j)) ?? MISSING;
+  }
+  /**
+   * Whether a point can be: within the ends of both axes, and of a window with this many steps about it.
+   * @param {number} i
+   * @param {number} j
+   * @param {number} about
+   */
+  #inside(i, j, about) {
+    const { axes, first, steps } = this;
+    const [p, q] = [(i + first[0]) * steps[0], (j + first[1]) * steps[1]];
+    const [a, b] = [about * steps[0], about * steps[1]];
+    const within = p > axes.x0 - a - 1e-9 && p < axes.x1 + a + 1e-9 && q > axes.y0 - b - 1e-9 && q < axes.y1 + b + 1e-9;
+    return within && p > -1e-9 && q > -1e-9 && p < longOf(axes.x) + 1e-9 && q < longOf(axes.y) + 1e-9;
+  }
+  /**
+   * What is missing and needed, by level, the nearest to a place first; beside a change of contacts before all others.
+   * @param {[x: number, y: number]} near  0 to 1 each
+   * @param {boolean} whole  no point is spared
+   * @returns {Point[][]}
+   */
+  plan([x, y], whole) {
+    const { index, lattice, nx, ny, size } = this;
+    const wanted = [];
+    this.coarse = false;
+    for (let stride = COARSE; stride >= 1; stride /= 2) {
+      /** @type {[far: number, i: number, j: number][]} */
+      const level = [];
+      for (let j = 0; j < ny; j += stride)
+        for (let i = 0; i < nx; i += stride) {
+          if (stride < COARSE && !(i % (2 * stride)) && !(j % (2 * stride))) continue;
+          if (index[j * nx + i] !== MISSING || !this.#inside(i, j, stride)) continue;
+          const key = this.key(i, j);
+          if (stride === COARSE) this.coarse = true;
+          if (lattice.asked.has(key) || (!whole && stride < COARSE && lattice.spared.has(key))) continue;
+          const torn = stride < COARSE && this.#torn(i, j, stride);
+          if (!whole && !torn && stride <= COARSE / 4 && this.#straight(i, j, stride)) {
+            lattice.spared.add(key);
+            continue;
+          }
+          const [X, Y] = this.spot(i, j);
+          level.push([Math.hypot((X - x) * size[0], (Y - y) * size[1]) - (torn ? 1e6 : 0), i, j]);
+        }
+      if (level.length) wanted.push(level.sort((a, b) => a[0] - b[0]).map(([, i, j]) => /** @type {Point} */ ([i, j])));
+    }
+    return wanted;
+  }
+  /**
+   * Points that were spared beside others with other contacts: there a change goes between them.
+   * @returns {Point[]}
+   */
+  mend() {
+    const { index, lattice, nx, ny } = this;
+    if (!this.contacts.length) this.fill('contacts');
+    /** @type {Point[]} */
+    const found = [];
+    for (let j = 0; j < ny; j++)
+      for (let i = 0; i < nx; i++) {
+        const k = j * nx + i;
+        if (index[k] !== MISSING || !this.contacts[k] || lattice.asked.has(this.key(i, j))) continue;
+        const near = [i ? k - 1 : k, i < nx - 1 ? k + 1 : k, k - nx, k + nx];
+        const torn = near.some((each) => this.contacts[each] && this.contacts[each] !== this.contacts[k]);
+        if (torn && this.#inside(i, j, 1)) found.push([i, j]);
+      }
+    return found;
+  }
+  /**
+   * The corners about a point of a finer level.
+   * @param {number} i
+   * @param {number} j
+   * @param {number} stride
+   */
+  *#corners(i, j, stride) {
+    const { nx, ny } = this;
+    const s = 2 * stride;
+    const [a, b] = [i - (i % s), j - (j % s)];
+    for (const [p, q] of [[a, b], [a + s, b], [a, b + s], [a + s, b + s]]) // prettier-ignore
+      if (p < nx && q < ny) yield /** @type {Point} */ ([p, q]);
+  }
+  /**
+   * Whether these differ in their number of contacts.
+   * @param {number} i
+   * @param {number} j
+   * @param {number} stride
+   */
+  #torn(i, j, stride) {
+    const { index, lattice, nx } = this;
+    const all = [...this.#corners(i, j, stride)].map(([p, q]) => lattice.contacts(index[q * nx + p]));
+    const known = all.filter((each) => each !== 0);
+    return known.some((each) => each !== known[0]);
+  }
+  /**
+   * Whether a straight line between them will do: by their second differences, of every result.
+   * @param {number} i
+   * @param {number} j
+   * @param {number} stride
+   */
+  #straight(i, j, stride) {
+    const { index, lattice, nx, ny } = this;
+    const s = 2 * stride;
+    for (const [p, q] of this.#corners(i, j, stride)) {
+      if (index[q * nx + p] === MISSING && !lattice.spared.has(this.key(p, q))) return false;
+      for (const [x, y] of [
+        [s, 0],
+        [0, s],
+      ]) {
+        // prettier-ignore
+        if (p - x < 0 || q - y < 0 || p + x >= nx || q + y >= ny) continue;
+        const all = [index[(q - y) * nx + p - x], index[q * nx + p], index[(q + y) * nx + p + x]];
+        if (!all.includes(MISSING) && this.#bent(all)) return false;
+      }
+    }
+    return true;
+  }
+  /** @param {number[]} points  three in a row */
+  #bent(points) {
+    const { data } = this.lattice;
+    return NAMES.some((name) => {
+      const { log, whole } = shownOf(name);
+      const of = (/** @type {number} */ point) => data[point * WIDTH + PLACE[name]];
+      const [before, here, after] = points.map((point) => (log ? Math.log10(of(point)) : of(point)));
+      const bend = Math.abs(before + after - 2 * here);
+      return !whole && bend > 8 * STRAIGHT * (log ? 1 : this.scales[name]);
+    });
+  }
+  /** How far each result reaches in what is known, so that what is small beside that is. */
+  get scales() {
+    const { count, data } = this.lattice;
+    if (this.#scaled?.count === count) return this.#scaled.scales;
+    /** @type {Record<string, number>} */
+    const scales = {};
+    for (const name of NAMES) {
+      let [low, high] = [Infinity, -Infinity];
+      for (let k = 0; k < count; k++) {
+        const value = data[k * WIDTH] ? NaN : data[k * WIDTH + PLACE[name]];
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+      scales[name] = high > low ? high - low : Infinity;
+    }
+    this.#scaled = { count, scales };
+    return scales;
+  }
+  /** @type {{ count: number, scales: Record<string, number> } | null} */ #scaled = null;
+  /**
+   * Values of a result, and contacts, at all points; holes are filled from coarser levels.
+   * @param {Result} name
+   */
+  fill(name) {
+    const { index, lattice, nx, ny } = this;
+    const n = nx * ny;
+    this.values = new Float64Array(n).fill(NaN);
+    this.contacts = new Int16Array(n);
+    const { log } = shownOf(name);
+    for (let k = 0; k < n; k++) {
+      this.contacts[k] = lattice.contacts(index[k]);
+      if (this.contacts[k] <= 0) continue;
+      const value = valueOf(name, lattice.data, index[k] * WIDTH);
+      this.values[k] = log ? Math.log10(value) : value;
+    }
+    for (let s = COARSE / 2; s >= 1; s /= 2)
+      for (let j = 0; j < ny; j += s)
+        for (let i = 0; i < nx; i += s) {
+          const [across, up] = [i % (2 * s), j % (2 * s)];
+          if ((across || up) && !this.contacts[j * nx + i]) this.#hole(i, j, across, up);
+        }
+  }
+  /**
+   * @param {number} i
+   * @param {number} j
+   * @param {number} across  steps to known ones, both ways
+   * @param {number} up
+   */
+  #hole(i, j, across, up) {
+    const { contacts, nx, ny, values } = this;
+    const ends = across && up ? [[-1, -1], [1, 1], [1, -1], [-1, 1]] : [[-1, -1], [1, 1]]; // prettier-ignore
+    const near = ends
+      .map(([a, b]) => [i + a * across, j + b * up])
+      .filter(([p, q]) => p >= 0 && q >= 0 && p < nx && q < ny && contacts[q * nx + p])
+      .map(([p, q]) => q * nx + p);
+    if (!near.length) return;
+    const same = near.filter((each) => contacts[each] === contacts[near[0]]);
+    contacts[j * nx + i] = contacts[near[0]];
+    values[j * nx + i] = same.reduce((sum, each) => sum + values[each], 0) / same.length;
+  }
+  /**
+   * @param {number} i
+   * @param {number} j
+   * @param {number} way  0: to the right, 1: upwards
+   */
+  #edgeName(i, j, way) {
+    return `${this.key(i, j)} ${way} ${this.steps[way]}`;
+  }
+  /**
+   * Where contacts change between two points, 0 to 1, and whether that is found.
+   * @param {number} i
+   * @param {number} j
+   * @param {number} way
+   */
+  change(i, j, way) {
+    const edge = this.lattice.edges.get(this.#edgeName(i, j, way));
+    return edge ? { at: (edge.low + edge.high) / 2, found: edge.steps >= HALVINGS } : { at: 0.5, found: false };
+  }
+  /**
+   * Edges on which contacts change that are not found yet: half of each is looked at.
+   */
+  halves() {
+    const { index, lattice, nx, ny } = this;
+    const found = [];
+    for (let j = 0; j < ny; j++)
+      for (let i = 0; i < nx; i++) {
+        const here = lattice.contacts(index[j * nx + i]);
+        if (here <= 0) continue;
+        for (const way of [0, 1]) {
+          const [p, q] = way ? [i, j + 1] : [i + 1, j];
+          const there = p < nx && q < ny ? lattice.contacts(index[q * nx + p]) : here;
+          if (there <= 0 || there === here) continue;
+          const name = this.#edgeName(i, j, way);
+          const edge = lattice.edges.get(name) ?? { low: 0, high: 1, from: here, steps: 0 };
+          lattice.edges.set(name, edge);
+          if (edge.steps >= HALVINGS || lattice.halving.has(name)) continue;
+          const at = (edge.low + edge.high) / 2;
+          found.push({ name, edge, at, row: way ? this.row(i, j + at) : this.row(i + at, j) });
+        }
+      }
+    return found;
+  }
+}

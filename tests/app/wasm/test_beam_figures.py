@@ -1,0 +1,122 @@
+"""Figures alone of impacts across, as maps take them: those of the solution, and those beside what is drawn."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from app.wasm.figure_entries import BENT_STEPS
+from app.wasm.modal_entries import BEAM_CONTACTS
+from solvers import Modal, Scene, Solution
+from solvers.bodies.beams import SUPPORTS, THEORIES
+from solvers.contact import Rigid
+from solvers.methods.modal.motion import ModalMotion
+
+from . import test_module
+from .answered import by_node
+from .test_module import random_scene, struck_by
+
+SWINGS = "pinned-free"  # which no browser answers
+SEED, MODES, EACH = 23, (1, 4, 9, 20), 10
+FEW, SEVERAL = 3, 6  # contacts: each magnifies what rounding leaves
+CLOSE, SCATTERED = 1e-7, 1e-3
+NAMES = "final", "target", "energy", "dissipated", "peak", "deepest", "touching", "parting", "duration"
+
+pytestmark = pytest.mark.browser  # needs Node
+
+
+@cache
+def impacts() -> list[tuple[Scene, int]]:
+    """Masses across beams on other supports by both theories, through every law and with rigid faces; some damped."""
+    with pytest.MonkeyPatch.context() as patch:
+        draw = np.random.default_rng(SEED)
+        patch.setattr(test_module, "RANDOM", draw)
+        found = []
+        for support in (each for each in SUPPORTS if each != SWINGS):
+            for number in range(2 * EACH):
+                scene = random_scene(("hammer-on-cantilever",))
+                ratio = scene.mass_ratio
+                changes = {"support": support, "theory": THEORIES[number % 2], "at": float(draw.uniform(0.15, 0.85))}
+                changes |= {"damping": 0.01} if number % EACH == 3 else {}
+                scene = scene.replace({f"target.{name}": value for name, value in changes.items()})
+                if number % EACH == 5:
+                    scene = scene.replace({"contact": {"law": "rigid"}})
+                found.append((scene.with_impactor_mass(scene.target.mass / ratio), int(draw.choice(MODES))))
+    return found
+
+
+def given_of(scene: Scene, modes: int) -> list:
+    if not scene.rigid_contact:
+        return struck_by(scene, modes)
+    soft = scene.replace({"contact": {"law": "linear", "stiffness": 1.0}})
+    return [struck_by(soft, modes)[0], Rigid.NAME, []]
+
+
+@cache
+def answers() -> tuple[list[dict], list[dict]]:
+    """Figures alone, and the same impacts as they are drawn."""
+    given = [given_of(*each) for each in impacts()]
+    found = by_node({"beamFigures": given, "beam": given})
+    return found["beamFigures"], found["beam"]
+
+
+def known_of(solution: Solution) -> dict[str, tuple[float, float]]:
+    """Figures of a solution in s, kg and the speed, and what they are held against where they are small."""
+    speed, energies, unit = solution.scene.speed, solution.energy, solution.scene.speed**2
+    initial = energies["initial"] / unit
+    found = {
+        "final": (solution.impactor_velocity / speed, 1.0),
+        "energy": ((energies["target_rigid"] + energies["target_vibration"]) / unit, initial),
+        "dissipated": (energies["dissipated"] / unit, initial),
+        "peak": (solution.peak_force / speed, 0.0),
+        "touching": (solution.contact_time, 0.0),
+        "parting": (solution.contacts[-1].end, 0.0),
+        "duration": (solution.duration, 0.0),
+    }
+    if not solution.scene.target.held:
+        found["target"] = solution.target_velocity / speed, 1.0
+    if not solution.scene.rigid_contact:
+        found["deepest"] = solution.peak_indentation / speed, 0.0  # pyright: ignore[reportOptionalOperand]
+    return found
+
+
+def test_they_are_those_of_the_solution():
+    few = 0
+    for (scene, modes), here in zip(impacts(), answers()[0], strict=True):
+        solution = Modal(modes=modes, estimate=False).solve(scene)
+        motion, count = solution.known_motion, len(solution.contacts)
+        assert isinstance(motion, ModalMotion)
+        if not here:
+            assert motion.steps > 0.75 * BENT_STEPS or count > 0.75 * BEAM_CONTACTS, scene.table()
+            continue
+        if count > SEVERAL:
+            continue  # of which rounding makes others in the end
+        few += count <= FEW
+        assert here["contacts"] == count, scene.table()
+        for name, (value, scale) in known_of(solution).items():
+            close = CLOSE if count <= FEW else SCATTERED
+            assert here[name] == pytest.approx(value, rel=close, abs=close * scale), (name, scene.table())
+    assert few > len(impacts()) // 3
+
+
+def test_they_are_those_beside_what_is_drawn():
+    """To rounding, which many contacts make larger; those that have no room take more steps than there are here."""
+    seen = 0
+    for (scene, _), here, drawn in zip(impacts(), *answers(), strict=True):
+        if not here or not drawn:
+            assert not drawn or drawn["steps"] > 0.75 * BENT_STEPS, scene.table()
+            continue
+        rows = np.array(drawn["contacts"])
+        peaks, touching, parting = rows[:, 3].max(), (rows[:, 1] - rows[:, 0]).sum(), rows[-1, 1]
+        named = drawn | {"peak": peaks, "touching": touching, "parting": parting}
+        if len(rows) > SEVERAL:
+            continue
+        assert here["contacts"] == len(rows), scene.table()
+        close = CLOSE if len(rows) <= FEW else SCATTERED
+        for name in NAMES:
+            scale = (
+                scene.impactor.mass if name in ("energy", "dissipated") else named["peak"] if name == "peak" else 1.0
+            )
+            assert here[name] == pytest.approx(named[name], rel=close, abs=close * scale), (name, scene.table())
+            seen += 1
+    assert seen > 100
