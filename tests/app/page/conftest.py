@@ -45,6 +45,8 @@ def pages(browser, server, windows):
 def show(pages):
     """Show what a link leads to, in a page that has shown others; at the end as `open_page`."""
     yield pages.show
+    for page in pages.by_layout.values():
+        page.evaluate("() => strikewave.page.opening.door.close()")  # the map, before those who follow
     assert [error for page in pages.by_layout.values() for error in page.errors if "GL Driver" not in error] == []
     assert [address for page in pages.by_layout.values() for address in page.foreign] == []
 

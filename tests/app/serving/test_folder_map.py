@@ -14,16 +14,19 @@ from .conftest import SECONDS
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 # The columns of impacts at these speeds, or null where there are no workers.
 MAPPED = """async (rows) => {
-  const { Pool } = globalThis.strikewaveModules['whatif/pool.js'];
+  const { door } = strikewave.page.opening;
+  await door.open();
+  const Pool = door.whatif.points.own.constructor;
+  door.close();
   const found = Promise.withResolvers();
-  let waiting = { chosen: {}, rows: new Float64Array(rows), done: (values) => found.resolve(values && [...values]) };
+  let waiting = { chosen: {}, names: ['speed'], rows: new Float64Array(rows), done: (values) => found.resolve(values && [...values]) };
   const pool = new Pool(() => {
     const next = waiting;
     waiting = null;
     return next;
   });
   if (!(await pool.prepare())) return null;
-  pool.scene(strikewave.page.frame, ['speed']);
+  pool.scene(strikewave.page.frame);
   pool.feed();
   const values = await found.promise;
   pool.leave();

@@ -227,5 +227,7 @@ def test_inner_kernels_are_called_by_kernels_alone():
     inner = {(source.stem, name) for source, file in files.items() for name in file.inner}
     assert len(inner) > 20
     for source, file in files.items():
+        if source.name.endswith("_entries.py"):
+            continue  # compiled as wholes, for browsers: Python calls none of them
         known = file.inner | {name for _, name in inner & file.imported}
         assert not known & file.called, source
