@@ -86,8 +86,7 @@ export class Opening {
     this.change = make('button', { type: 'button', className: 'what-if', onclick: () => this.#change() });
     this.ask = make('div', { className: 'ask' }, this.question);
     this.door = new Door(page);
-    const tries = make('div', { className: 'tries' }, this.change, this.door.button);
-    this.side = make('div', { className: 'aside' }, this.ask, tries);
+    this.side = make('div', { className: 'aside' }, this.ask, this.change);
     this.shares = make('div', { className: 'energy shares', hidden: true });
     this.happens = new Happens(this.section, this.shares);
     this.closer = make('nav', { className: 'closer', ariaLabel: text('opening.closer') });
@@ -290,7 +289,7 @@ export class Opening {
    */
   #offer(frame) {
     const source = isChanged(frame) ? '' : frame.source;
-    this.closer.hidden = this.door.button.hidden = this.page.changes.held.hidden.has(CLOSER);
+    this.closer.hidden = this.page.changes.held.hidden.has(CLOSER);
     if (this.closer.dataset.said === source) return;
     this.closer.dataset.said = source;
     const { hidden } = this.page.changes.held;
@@ -302,6 +301,7 @@ export class Opening {
     const tabs = this.page.layout.offered.map((tab) => enter(TITLES[tab], () => this.look(tab)));
     this.closer.replaceChildren(
       make('span', { textContent: text('opening.closer') }),
+      this.door.button,
       ...tabs,
       ...((carried ? carried.laboratory : !framed) ? [laboratory] : []),
       make('span', { className: 'source', textContent: shown && text('opening.source', { source }) }),
