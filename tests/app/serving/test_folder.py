@@ -228,7 +228,7 @@ def test_another_contact_law_and_its_stiffness_are_answered(opened):
 def test_only_what_needs_no_server_is_offered(opened):
     tab = opened()
     closer = tab.get_by_role("navigation", name="Look closer")
-    assert closer.get_by_role("button").all_inner_texts() == ["Charts", "Story", "Numbers"]
+    assert closer.get_by_role("button").all_inner_texts() == ["What if …", "Charts", "Story", "Numbers"]
     fields = "() => [...strikewave.page.controls.root.querySelectorAll('.field')].filter((f) => !f.hidden).length"
     assert tab.evaluate(fields) == 5
     tab.get_by_role("button", name="Save", exact=True).click()
