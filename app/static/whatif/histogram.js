@@ -12,12 +12,12 @@ import { binsOf, quantilesOf, shareAbove } from './spread.js';
 
 const BINS = { wide: 64, narrow: 40 };
 const PAD = 0.06; // of the range, on either side
-const TONES = ['#8ba0b2', '#e26636', '#9e271b', '#6d0f17']; // of one contact, of two, …
+const TONES = ['#8ba0b2', '#e26636', '#9e271b', '#d3a37f']; // of one contact, of two, …
 const BAND = '#eef2f5';
 const TICK = 90; // pixels from one value to the next, at least
 
-/** @param {number} contacts */
-export const toneOf = (contacts) => TONES[Math.min(Math.max(contacts, 1), TONES.length) - 1];
+/** @param {number} contacts  Those of counts beside each other differ, however many there are. */
+export const toneOf = (contacts) => TONES[(Math.max(contacts, 1) - 1) % TONES.length];
 
 /**
  * @typedef {object} Shown

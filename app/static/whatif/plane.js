@@ -181,7 +181,8 @@ export class Plane {
       const wide = depth > 4;
       if (depth < 1 || !this.#free(x, y)) continue;
       const many = count === MANY;
-      const words = wide ? text('whatif.contacts', { count, many }) : `${count}${many ? '+' : ''}`;
+      const long = text(many ? 'whatif.many-contacts' : 'whatif.contacts', { count });
+      const words = wide ? long : `${count}${many ? '+' : ''}`;
       word(c, words, x, y, { size: 15, weight: '600 ', edge: COLOR.edge });
       this.taken.push([x, y, wide ? 56 : 20]);
     }

@@ -1,5 +1,6 @@
 // Where the impacts of a map come from: the browser's own kernels, which other threads ask, or the server. What is to
 // be found next is asked for only when one of them is free, so that the newest wish is always next.
+import { byOf, called, errorsOf } from '../text/words.js';
 import { Pool } from './pool.js';
 import { Served } from './server.js';
 
@@ -102,6 +103,12 @@ export class Points {
         }
     this.source = null;
     return false;
+  }
+  /** By which solution impacts are found, and how wrong that is where the scene was; nothing of what is not weighed. */
+  get by() {
+    const { base } = this;
+    const solved = base && ('exact' in base ? base.exact : 'main' in base ? base.main : null);
+    return solved ? byOf(called(solved), errorsOf(solved)) : [];
   }
   /**
    * What the browser could not find, the newest first.

@@ -10,6 +10,7 @@ import { shortOf, shownOf, titleOf, written } from './results.js';
 /** @import { Domain } from './plane.js' */
 /** @import { Result } from './results.js' */
 
+const ROUNDING = 1e-6; // of values: a scale that shows less would draw rounding
 const SIZE = /** @type {const} */ ([128, 88]); // pixels of a small map
 
 /**
@@ -38,9 +39,11 @@ export function domainOf(view, result) {
       if (values[k] > high) high = values[k];
     }
   if (!Number.isFinite(low) || !Number.isFinite(high)) return null;
-  if (log) return high - low > 1e-6 ? [Math.floor(low * 10 - 0.2) / 10, Math.ceil(high * 10 + 0.2) / 10] : null;
+  if (log) return [Math.floor(low * 10 - 0.2) / 10, Math.ceil(high * 10 + 0.2) / 10];
   if (nought) low = Math.min(low, 0);
-  const long = high - low || Math.abs(high) || 1;
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  if (high - low < ROUNDING * size || !size) [low, high] = [low - 0.1 * (size || 1), high + 0.1 * (size || 1)]; // flat
+  const long = high - low;
   const unit = 10 ** Math.floor(Math.log10(long)) / 5;
   return [Math.floor(low / unit + 1e-9) * unit, Math.ceil(high / unit - 1e-9) * unit];
 }

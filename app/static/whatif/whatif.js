@@ -30,7 +30,7 @@ const KEPT = 16; // lattices
 const FIRST = ['mass_ratio', 'speed']; // axes where nobody has chosen any, after what sets how stiff the contact is
 const STREAM = 100; // ms between pictures of what comes in while nothing is held
 const TILES = 250; // ms between those of the small maps
-const OFTEN_NONE = ['target_velocity', 'dissipated']; // as where it is held, or nothing is lost
+const OFTEN_NONE = ['target_velocity', 'dissipated', 'contact_time', 'vibration']; // where held, or in no time
 const LEAST = 1e-9;
 const OFF = 0.12; // of a scale, that the values may be off by before it follows
 
@@ -367,7 +367,8 @@ export class WhatIf {
     const { points } = this;
     const count = grouped(points.solved);
     const where = points.source === points.own ? 'browser' : 'server';
-    write(this.status, text('whatif.status', { count, where, busy: String(!this.jobs.idle) }));
+    const said = text('whatif.status', { count, where, busy: String(!this.jobs.idle) });
+    write(this.status, [said, ...points.by].join(' · '));
   }
   /**
    * Set choices by hand.

@@ -181,6 +181,43 @@ def test_a_value_that_is_wanted_is_found_and_held(show):
     expect(goal.get_by_role("combobox")).to_be_hidden()
 
 
+def test_curves_are_broken_where_a_contact_is_gained(show):
+    page = show("?layout=opening", SIZES[0])
+    settled(page)
+    page.evaluate(OPEN, "curves:peak_force,mass_ratio,speed")
+    page.wait(f"() => {WHATIF}.modes.curves.jobs.shown?.whole")
+    expect(page.tab.locator(".whatif-map")).to_be_hidden()
+    changes = page.evaluate(f"() => {WHATIF}.modes.curves.jobs.shown.changes.map(({{ low, high }}) => [low, high])")
+    low, high = np.array(changes).T
+    assert len(low) > 5 and (np.diff(low) > 0).all() and (high - low < 2e-6 * 6).all()
+    ratios = 1e-3 * 10**low  # the axis is six decades long
+    assert np.abs(ratios / LOST - 1).min() < 1e-3
+    expect(page.tab.locator("#whatif-curves-said")).to_contain_text("contacts")
+    page.tab.get_by_role("button", name="Map", exact=True).click()
+    page.wait(DONE)
+    expect(page.tab.locator(".whatif-map")).to_be_visible()
+
+
+def test_tolerances_spread_a_result_as_the_library_says(show):
+    page = show("?layout=opening", SIZES[0])
+    settled(page)
+    page.evaluate(OPEN, "tolerance:peak_force,mass_ratio,speed")
+    page.wait(f"() => {WHATIF}.modes.tolerance.jobs.shown?.whole")
+    expect(page.tab.locator(".whatif-notes")).to_have_text("4,000 impacts.")
+    found = page.evaluate(f"() => [...{WHATIF}.modes.tolerance.jobs.shown.column('peak_force').sorted]")
+    scene = solvers.load("fixed-rod")
+    draw = np.random.default_rng(2).uniform(-1.0, 1.0, (2000, 2))
+    vary = {
+        "impactor.mass": scene.impactor.mass / (1.0 + 0.02 * draw[:, 0]),
+        "impactor.velocity": 1.0 + 0.03 * draw[:, 1],
+    }
+    peaks = solvers.solve_many(scene, vary, method="waves").peak_force
+    shares = [0.05, 0.5, 0.95]
+    spread = np.ptp(np.quantile(peaks, shares))
+    assert np.quantile(found, shares) == pytest.approx(np.quantile(peaks, shares), abs=0.06 * spread)
+    page.tab.get_by_role("button", name="Map", exact=True).click()
+
+
 def test_what_a_browser_cannot_answer_the_server_maps(show):
     page = opened(show, "?layout=opening&whatif=peak_force,target.length,speed")
     assert page.evaluate(f"() => {WHATIF}.points.source === {WHATIF}.points.served")
