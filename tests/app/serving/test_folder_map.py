@@ -19,7 +19,8 @@ MAPPED = """async (rows) => {
   const Pool = door.whatif.points.own.constructor;
   door.close();
   const found = Promise.withResolvers();
-  let waiting = { chosen: {}, names: ['speed'], rows: new Float64Array(rows), done: (values) => found.resolve(values && [...values]) };
+  const done = (values) => found.resolve(values && [...values]);
+  let waiting = { chosen: {}, names: ['speed'], rows: new Float64Array(rows), done };
   const pool = new Pool(() => {
     const next = waiting;
     waiting = null;
