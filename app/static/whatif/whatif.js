@@ -79,8 +79,8 @@ export class WhatIf {
     this.back.title = text('whatif.back-about');
     this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root, this.back);
     this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root);
-    const foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
-    this.parts = [this.head, this.plane.root, ...this.modes.parts, foot, this.side];
+    this.foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
+    this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
     this.hands = new Hands(this);
   }
   /**
@@ -91,8 +91,7 @@ export class WhatIf {
     if (this.open) return;
     this.open = true;
     this.asked = this.modes.follow(said);
-    this.page.root.dataset.whatif = this.modes.mode;
-    this.page.root.append(...this.parts);
+    this.place();
     if (!this.points.ready) {
       write(this.status, text('whatif.preparing'));
       await this.points.prepare();
@@ -100,6 +99,16 @@ export class WhatIf {
     if (!this.open) return;
     this.take();
     this.page.place();
+  }
+  /** Take the place of the picture. */
+  place() {
+    this.page.root.dataset.whatif = this.modes.mode;
+    this.page.root.append(...this.parts);
+  }
+  /** Give it back. */
+  clear() {
+    delete this.page.root.dataset.whatif;
+    for (const part of this.parts) part.remove();
   }
   /** What a link says of it: the result, both axes, and what is wanted. */
   get said() {
@@ -120,8 +129,7 @@ export class WhatIf {
   }
   leave() {
     this.open = false;
-    delete this.page.root.dataset.whatif;
-    for (const part of this.parts) part.remove();
+    this.clear();
     this.gains.leave();
     this.points.leave();
     this.points.ready = false;
@@ -233,20 +241,29 @@ export class WhatIf {
     }
     const results = this.#results();
     if (this.jobs.own.found && !results.includes(this.result)) [this.result] = results;
-    this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
-    this.tiles.offer(results);
     if (shown) this.#instead(shown, results);
     else {
       this.#look(x, y);
       this.#paint();
       this.over();
-      this.#tile();
     }
+    this.beside(results);
+    this.#say();
+    points.feed();
+  }
+  /**
+   * All that stands beside the map: title, small maps, what is wanted, what each choice does.
+   * @param {Result[]} results
+   */
+  beside(results) {
+    const { x, y } = this;
+    this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
+    this.tiles.offer(results);
+    if (this.modes.shown) this.tiles.say((result) => this.here(result), this.result);
+    else this.#tile();
     this.goal.follow();
     this.goal.draw();
     this.gains.follow();
-    this.#say();
-    points.feed();
   }
   /**
    * What of the lattice is seen, where that is not known already.
@@ -297,7 +314,6 @@ export class WhatIf {
     this.view = null;
     this.seen = '';
     this.jobs.plan(null);
-    this.tiles.say((result) => this.here(result), this.result);
     shown.draw(results);
     this.domain = shown.domain;
     this.domainOf = '';
