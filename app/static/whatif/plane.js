@@ -23,6 +23,8 @@ const STEPS = { still: 2, moving: 3 }; // pixels of the page in one of the pictu
 const ROUND = 6; // pixels
 const LEAST_LINE = 32; // numbers of a contour, below which it is rounding
 const NARROW = 560; // pixels of the whole
+const WIDE = 46; // pixels about a number, for it to stand with its word
+const EDGE = 10; // pixels that a number keeps from the ends of the map
 const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
 
 /**
@@ -175,10 +177,16 @@ export class Plane {
   #count(c, view) {
     const parts = partsOf(view);
     if (parts.length < 2) return;
+    const { h, w } = this.plot;
+    const [X0, Y0] = view.spot(0, 0);
+    const [X1, Y1] = view.spot(1, 1);
+    const step = Math.min((X1 - X0) * w, (Y1 - Y0) * h); // pixels of a cell
     for (const { count, depth, i, j } of parts) {
       const [X, Y] = view.spot(i, j);
-      const [x, y] = [X * this.plot.w, (1 - Y) * this.plot.h];
-      const wide = depth > 4;
+      const inside = (/** @type {number} */ at, /** @type {number} */ end) =>
+        Math.min(Math.max(at, EDGE * scale), end - EDGE * scale);
+      const [x, y] = [inside(X * w, w), inside((1 - Y) * h, h)];
+      const wide = depth * step > WIDE * scale;
       if (depth < 1 || !this.#free(x, y)) continue;
       const many = count === MANY;
       const long = text(many ? 'whatif.many-contacts' : 'whatif.contacts', { count });

@@ -27,6 +27,8 @@ import { Served } from './server.js';
 
 const MOST = 32; // jobs that wait for the server
 const QUICK = 3; // ms for an impact, above which it takes long
+const AT_ONCE = 0.15; // ms for an impact, below which thousands are found in a moment
+const CELL = { fine: 4, usual: 7, coarse: 10 }; // pixels of a step of the lattice at least
 
 export class Points {
   /** @type {Source | null} */ source = null; // of what is shown
@@ -76,6 +78,14 @@ export class Points {
   /** Whether an impact is found in a moment. */
   get quick() {
     return this.source === this.own && this.spent < QUICK;
+  }
+  /**
+   * How far apart the points of a map are at least [px]: what lies between them, it does not show.
+   * @param {boolean} held  whether it follows a hand
+   */
+  cell(held) {
+    if (!this.quick) return CELL.coarse;
+    return held || this.spent > AT_ONCE ? CELL.usual : CELL.fine;
   }
   /**
    * What the next are about: the scene as it is chosen, over these choices, whether they can be found; over others they

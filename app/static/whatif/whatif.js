@@ -274,11 +274,12 @@ export class WhatIf {
     const lattice = this.#lattice();
     const [[x0, x1], [y0, y1]] = [this.range(x), this.range(y)];
     const { h, w } = this.plane.plot;
-    const seen = JSON.stringify([lattice.number, lattice.version, x0, x1, y0, y1, w, h]);
+    const cell = this.points.cell(this.held);
+    const seen = JSON.stringify([lattice.number, lattice.version, x0, x1, y0, y1, w, h, cell]);
     if (this.view && seen === this.seen) return;
     this.seen = seen;
     this.lattice = lattice;
-    this.view = new Window(lattice, { x, y, x0, x1, y0, y1 }, [w, h], this.points.quick);
+    this.view = new Window(lattice, { x, y, x0, x1, y0, y1 }, [w, h], cell);
     this.jobs.plan(this.view);
   }
   /** The map, where anything that it shows has changed. */

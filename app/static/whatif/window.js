@@ -11,7 +11,6 @@ const FINEST = 12; // levels: steps of 2^-level
 const LEAST = 3; // so that the coarse points have a step that divides one
 const COARSE = 8; // steps of the first picture, in steps of the finest
 const ROW = 2 ** 24;
-const CELL = [7, 10]; // pixels, at least, of a step: where one is found in a moment, and where that takes longer
 const STRAIGHT = 0.002; // of its scale, or of a decade: what a straight line may be off by
 const HALVINGS = 5; // of a step of the lattice, until a change of contacts is found to 1e-3 of an axis
 
@@ -28,14 +27,13 @@ export class Window {
    * @param {Lattice} lattice
    * @param {Axes} axes
    * @param {[width: number, height: number]} size  of the plot [px]
-   * @param {boolean} quick  whether a point is found in a moment
+   * @param {number} cell  of a step of the lattice at least [px]
    */
-  constructor(lattice, axes, size, quick) {
+  constructor(lattice, axes, size, cell) {
     Object.assign(this, { axes, lattice, size });
     this.lattice = lattice;
     this.axes = axes;
     this.size = size;
-    const cell = CELL[quick ? 0 : 1];
     const along = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ pixels) => {
       const level = Math.floor(-Math.log2((cell * (to - from)) / pixels));
       const step = 2 ** -Math.min(Math.max(level, LEAST), FINEST);
