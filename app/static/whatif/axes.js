@@ -24,6 +24,7 @@ import { isCoordinate, placeOf, unitOf } from '../wire/body_values.js';
 
 const FAR = 10; // times the lowest value: as sliders, from there on logarithmic
 const AROUND = 4; // times the value of the scene, up and down: values of bodies could be anything
+const FIRST = ['mass_ratio', 'speed']; // where nobody has chosen any, after what sets how stiff the contact is
 const NAMES = family('body.value');
 
 /** @param {{ low: number, high: number }} ends */
@@ -115,4 +116,15 @@ function endsOf({ high, low, own, quantity, value }, parts) {
     ends = [middle - reach / 2, middle + reach / 2];
   } else if (low >= 0 && middle > 0) ends = [middle / AROUND, middle * AROUND];
   return { low: Math.max(low, Math.min(ends[0], value)), high: Math.min(high, Math.max(ends[1], value)) };
+}
+
+/**
+ * Names of axes, in the order in which they are taken where nobody has chosen any; none that is whole.
+ * @param {Axis[]} axes
+ */
+export function usualFirst(axes) {
+  const known = axes.filter(({ whole }) => !whole).map(({ name }) => name);
+  const stiff = known.filter((name) => name.endsWith('stiffness'));
+  const usual = new Set(['mass_ratio', ...stiff, ...FIRST, ...known]);
+  return [...usual].filter((name) => known.includes(name));
 }

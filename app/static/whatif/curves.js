@@ -53,6 +53,9 @@ export class Curves {
     canvas.onpointerup = canvas.onpointercancel = () => this.#leave();
     canvas.onkeydown = (event) => this.#key(event);
   }
+  forget() {
+    this.jobs.ask(null);
+  }
   /** Measure its room; whether there is any. */
   measure() {
     const found = cleared(this.canvas, this.root);

@@ -90,11 +90,16 @@ export class Goal {
     const { domain, result } = this.whatif;
     return unitFor(result, domain ?? [0, 0]);
   }
+  /** What gives way where nobody has chosen it: a choice that is no axis and acts at once, or else the axis upwards. */
+  get #usual() {
+    const { axes, named, points } = this.whatif;
+    const free = axes.filter(({ body, name, whole }) => !body && !whole && name !== named.x && name !== named.y);
+    return free.find(({ name }) => points.covers(name))?.name ?? named.y;
+  }
   /** What there is changed: seek again, where anything that it hangs on has. */
   follow() {
-    const { axes, named, page, result } = this.whatif;
-    const can = axes.filter(({ whole }) => !whole);
-    if (!this.axis) this.gives = (can.find(({ name }) => name !== named.x && name !== named.y) ?? can[0])?.name ?? '';
+    const { page, result } = this.whatif;
+    if (!this.axis) this.gives = this.#usual;
     const { axis, wanted } = this;
     this.root.hidden = Boolean(shownOf(result).whole) || !axis;
     if (this.root.hidden || wanted === null || !axis) {
@@ -115,8 +120,9 @@ export class Goal {
    */
   pull(there) {
     const { axis, wanted, whatif } = this;
-    if (wanted === null || !axis || there.some(([each]) => each === axis)) return;
-    const fixed = there.map(([each, value]) => /** @type {[string, number]} */ ([each.name, value]));
+    if (wanted === null || !axis) return;
+    const others = there.filter(([each]) => each !== axis);
+    const fixed = others.map(([each, value]) => /** @type {[string, number]} */ ([each.name, value]));
     this.pulling.ask({ axis, result: whatif.result, wanted, chosen: whatif.chosen, fixed });
     whatif.points.feed();
   }
@@ -159,7 +165,8 @@ export class Goal {
     }
     this.choice.value = this.gives;
     if (wanted === null || !axis || !sought || sought.asked.axis.name !== axis.name) {
-      this.roots.replaceChildren();
+      this.roots.replaceChildren(this.seek.idle ? '' : text('whatif.seeking'));
+      this.roots.dataset.known = '';
       return;
     }
     this.#list(sought, axis);
@@ -171,7 +178,7 @@ export class Goal {
    */
   #list(sought, axis) {
     const { roots, leaps, values } = sought;
-    const known = JSON.stringify([roots, leaps.length, axis.name]);
+    const known = JSON.stringify([roots, leaps.length, values, axis.name]);
     if (this.roots.dataset.known === known) return;
     this.roots.dataset.known = known;
     const buttons = roots.slice(0, MOST).map((place) => {
@@ -184,8 +191,10 @@ export class Goal {
     const { result } = sought.asked;
     const reach = { low: written(result, Math.min(...some)), high: written(result, Math.max(...some)) };
     const none = roots.length ? '' : text(some.length ? 'whatif.none' : 'whatif.nothing', reach);
+    const unknown = values.length - some.length;
+    const open = unknown && some.length ? text('whatif.unknown', { count: unknown, all: values.length }) : '';
     const leapt = leaps.length ? text('whatif.leaps', { count: leaps.length }) : '';
-    this.roots.replaceChildren(...buttons, [none, leapt].filter(Boolean).join(' '));
+    this.roots.replaceChildren(...buttons, [none, leapt, open].filter(Boolean).join(' '));
   }
   /**
    * @param {Sought} sought

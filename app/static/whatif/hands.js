@@ -124,7 +124,7 @@ export class Hands {
       const middle = from + shares[k] * (to - from);
       const long = Math.min(Math.max((to - from) * by, LEAST), longOf(axis));
       const first = Math.min(Math.max(middle - shares[k] * long, 0), longOf(axis) - long);
-      this.whatif.ranges.set(axis.name, [first, first + long]);
+      this.whatif.ranges.set(axis, [first, first + long]);
     });
     this.whatif.schedule();
   }
@@ -136,7 +136,7 @@ export class Hands {
       return from === 0 && to === longOf(axis);
     });
     for (const axis of [x, y])
-      this.whatif.ranges.set(axis.name, whole ? usualRange(axis, this.whatif.value(axis)) : [0, longOf(axis)]);
+      this.whatif.ranges.set(axis, whole ? usualRange(axis, this.whatif.value(axis)) : [0, longOf(axis)]);
     this.whatif.schedule();
   }
 }

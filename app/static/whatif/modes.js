@@ -61,6 +61,11 @@ export class Modes {
     if (mode !== this.mode) this.turn(mode);
     return rest ?? (first === mode ? '' : first);
   }
+  /** Another scene: nothing that was found is of it. */
+  forget() {
+    this.curves.forget();
+    this.tolerance.forget();
+  }
   /** What a link begins with. */
   get said() {
     return this.mode === 'map' ? '' : `${this.mode}:`;

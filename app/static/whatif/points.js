@@ -2,6 +2,7 @@
 // be found next is asked for only when one of them is free, so that the newest wish is always next.
 import { byOf, called, errorsOf } from '../text/words.js';
 import { Pool } from './pool.js';
+import { WIDTH } from './results.js';
 import { Served } from './server.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
@@ -13,6 +14,8 @@ import { Served } from './server.js';
  * @property {string[]} names  of choices that its impacts differ by
  * @property {Float64Array} rows  their values, impact by impact
  * @property {number} [tolerance]  of a step through a contact law; 0: that of the page's own answers
+ * @property {boolean} [wished]  whether somebody waits for it
+ * @property {boolean} [apart]  whether it is done without what the browser has no room for
  * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>) => void} done
  */
 /**
@@ -25,10 +28,9 @@ import { Served } from './server.js';
  * @property {() => void} leave
  */
 
-const MOST = 32; // jobs that wait for the server
 const QUICK = 3; // ms for an impact, above which it takes long
-const AT_ONCE = 0.15; // ms for an impact, below which thousands are found in a moment
-const CELL = { fine: 4, usual: 7, coarse: 10 }; // pixels of a step of the lattice at least
+const WHOLE = 3000; // ms that all points of a map may take, none spared
+const CELL = { least: 4, held: 7, most: 10 }; // pixels of a step of the lattice
 
 export class Points {
   /** @type {Source | null} */ source = null; // of what is shown
@@ -36,18 +38,18 @@ export class Points {
   spent = 0.3; // ms for an impact
   solved = 0;
   /** @type {Job[]} */ queue = []; // that the server is asked while the browser finds the others
-  /** @type {Frame | null} */ asked = null; // what the server is asked about
   ready = false;
 
   /**
    * @param {Page} page
    * @param {() => Job | null} next
+   * @param {() => Job | null} rest  of what the browser could not find, on the map
    */
-  constructor(page, next) {
+  constructor(page, next, rest) {
     this.page = page;
     /** @type {Source} */ this.own = new Pool(() => (this.source === this.own ? this.#counted(next()) : null));
     /** @type {Source} */ this.served = new Served(page, () =>
-      this.source === this.served ? this.#counted(next()) : this.#left(),
+      this.source === this.served ? this.#counted(next()) : (this.queue.shift() ?? rest()),
     );
     /** @type {Source[]} */ this.sources = [];
   }
@@ -58,12 +60,14 @@ export class Points {
     this.ready = true;
   }
   /**
+   * What the browser has no room for, the server finds before it is done.
    * @param {Job | null} job
    * @returns {Job | null}
    */
   #counted(job) {
     if (!job) return null;
     const count = job.rows.length / job.names.length;
+    const own = this.source === this.own;
     return {
       ...job,
       done: (found, spent, why) => {
@@ -71,9 +75,45 @@ export class Points {
           this.spent += 0.2 * (spent / count - this.spent);
           this.solved += count;
         }
-        job.done(found, spent, why);
+        const left = found && own && !job.apart ? failedOf(found) : [];
+        if (!found || !left.length || !this.#forward(job, found, left)) job.done(found, spent, why);
       },
     };
+  }
+  /**
+   * Have the server find the rows that are left; whether it can.
+   * @param {Job} job
+   * @param {Float64Array} found
+   * @param {number[]} left
+   */
+  #forward(job, found, left) {
+    const { names, rows } = job;
+    const { base, served } = this;
+    if (!base || !this.serves || !served.covers(base, names)) return false;
+    /** @type {Job} */
+    const forwarded = {
+      ...job,
+      rows: Float64Array.from(left.flatMap((k) => [...rows.subarray(k * names.length, (k + 1) * names.length)])),
+      done: (more, spent, why) => {
+        if (more) left.forEach((k, n) => found.set(more.subarray(n * WIDTH, (n + 1) * WIDTH), k * WIDTH));
+        job.done(found, spent, why && new Map([...why].map(([n, each]) => [left[n], each])));
+        this.feed(); // it may have been waited for
+      },
+    };
+    const first = job.wished ? this.queue.findIndex(({ wished }) => !wished) : -1;
+    this.queue.splice(first < 0 ? this.queue.length : first, 0, forwarded);
+    this.feed();
+    return true;
+  }
+  /** Whether there is a server that finds what the browser cannot. */
+  get serves() {
+    return this.source === this.own && this.sources.includes(this.served);
+  }
+  /** Nobody is asked for what waits. */
+  #drop() {
+    const { queue } = this;
+    this.queue = [];
+    for (const { done } of queue) done(null, 0);
   }
   /** Whether an impact is found in a moment. */
   get quick() {
@@ -81,11 +121,14 @@ export class Points {
   }
   /**
    * How far apart the points of a map are at least [px]: what lies between them, it does not show.
+   * @param {[width: number, height: number]} size  of the map [px]
    * @param {boolean} held  whether it follows a hand
    */
-  cell(held) {
-    if (!this.quick) return CELL.coarse;
-    return held || this.spent > AT_ONCE ? CELL.usual : CELL.fine;
+  cell([width, height], held) {
+    const least = held ? CELL.held : CELL.least;
+    const fit = Math.sqrt((width * height * this.spent) / WHOLE);
+    const steady = 2 ** Math.round(Math.log2(fit / least)) * least; // whatever one measured time is
+    return Math.min(Math.max(steady, least), CELL.most);
   }
   /**
    * What the next are about: the scene as it is chosen, over these choices, whether they can be found; over others they
@@ -105,8 +148,9 @@ export class Points {
         if (same(base) && source.covers(base, source === this.own ? [...names, ...changed(base)] : names)) {
           if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
           if (source !== this.source || base !== this.base) {
+            this.#drop();
             source.scene(base);
-            this.queue = [];
+            if (source === this.own) this.served.scene(base);
           }
           Object.assign(this, { source, base });
           return true;
@@ -120,38 +164,23 @@ export class Points {
     const solved = base && ('exact' in base ? base.exact : 'main' in base ? base.main : null);
     return solved ? byOf(called(solved), errorsOf(solved)) : [];
   }
-  /**
-   * What the browser could not find, the newest first.
-   * @returns {Job | null}
-   */
-  #left() {
-    return this.queue.pop() ?? null;
-  }
-  /**
-   * Have the server find what the browser could not.
-   * @param {Job} job
-   */
-  elsewhere(job) {
-    if (this.source !== this.own || !this.base || !this.sources.includes(this.served)) return;
-    if (!this.served.covers(this.base, job.names)) return;
-    if (this.asked !== this.base) this.served.scene(this.base);
-    this.asked = this.base;
-    this.queue.push(job);
-    if (this.queue.length > MOST) this.queue.shift();
-    this.served.feed();
-  }
   /** @param {string} name  Whether it can vary in what is asked for. */
   covers(name) {
     return Boolean(this.base && this.source?.covers(this.base, [name]));
   }
   /** Whatever is free is asked; the server only once it has answered the page itself. */
   feed() {
-    if (this.source === this.own || !this.page.changes.asked) this.source?.feed();
+    if (this.source === this.own) this.own.feed();
+    if (this.sources.includes(this.served) && !this.page.changes.asked) this.served.feed();
   }
   leave() {
     for (const each of this.sources) each.leave();
-    this.source = this.base = this.asked = null;
-    this.queue = [];
+    this.source = this.base = null;
+    this.#drop();
     this.sources = [];
   }
 }
+
+/** @param {Float64Array} found  The rows without an answer. */
+export const failedOf = (found) =>
+  Array.from({ length: found.length / WIDTH }, (_, k) => k).filter((k) => found[k * WIDTH]);

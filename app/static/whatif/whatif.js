@@ -4,7 +4,7 @@ import { make, write } from '../browser/dom.js';
 import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
-import { axesOf } from './axes.js';
+import { axesOf, usualFirst } from './axes.js';
 import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
@@ -13,8 +13,9 @@ import { Window } from './window.js';
 import { MapJobs } from './map_jobs.js';
 import { Modes } from './modes.js';
 import { Plane } from './plane.js';
-import { placeOf, usualRange } from './places.js';
+import { placeOf } from './places.js';
 import { Points } from './points.js';
+import { Ranges } from './ranges.js';
 import { NAMES, shownOf, valueOf } from './results.js';
 import { Sentence } from './sentence.js';
 import { figuresOfWhole } from '../wasm/columns.js';
@@ -27,7 +28,6 @@ import { Tiles, domainOf } from './tiles.js';
 /** @import { Result } from './results.js' */
 
 const KEPT = 16; // lattices
-const FIRST = ['mass_ratio', 'speed']; // axes where nobody has chosen any, after what sets how stiff the contact is
 const STREAM = 100; // ms between pictures of what comes in while nothing is held
 const TILES = 250; // ms between those of the small maps
 const OFTEN_NONE = ['target_velocity', 'dissipated', 'contact_time', 'vibration']; // where held, or in no time
@@ -38,7 +38,7 @@ export class WhatIf {
   /** @type {Axis[]} */ axes = [];
   /** @type {Result} */ result = 'peak_force';
   /** @type {Record<'x' | 'y', string>} */ named = { x: '', y: '' };
-  /** @type {Map<string, [from: number, to: number]>} */ ranges = new Map(); // places that are shown, by axis
+  ranges = new Ranges();
   /** @type {Map<string, Lattice>} */ lattices = new Map();
   /** @type {Lattice | null} */ lattice = null;
   /** @type {Window | null} */ view = null;
@@ -65,7 +65,8 @@ export class WhatIf {
   constructor(page, close) {
     this.page = page;
     this.jobs = new MapJobs(this);
-    this.points = new Points(page, () => (this.open ? this.jobs.next() : null));
+    const of = (/** @type {'next' | 'rest'} */ name) => () => (this.open ? this.jobs[name]() : null);
+    this.points = new Points(page, of('next'), of('rest'));
     this.sentence = new Sentence((slot, name) => this.choose(slot, name));
     this.plane = new Plane();
     this.goal = new Goal(this);
@@ -162,9 +163,7 @@ export class WhatIf {
   }
   /** @param {Axis} axis  Places that are shown. */
   range(axis) {
-    const known = this.ranges.get(axis.name) ?? usualRange(axis, this.value(axis));
-    this.ranges.set(axis.name, known);
-    return known;
+    return this.ranges.of(axis, this.value(axis));
   }
   /** Another answer is shown, of the server or of the browser itself. */
   take() {
@@ -179,6 +178,7 @@ export class WhatIf {
       this.scene = scene;
       this.ranges.clear();
       this.lattices.clear();
+      this.modes.forget();
       this.wanted = {};
       this.named = { x: '', y: '' };
     }
@@ -188,12 +188,10 @@ export class WhatIf {
   }
   /** Axes that there are. */
   #settle() {
-    const { axes } = this;
-    const stiff = axes.filter(({ name }) => name.endsWith('stiffness')).map(({ name }) => name);
-    const usual = [...new Set(['mass_ratio', ...stiff, ...FIRST, ...axes.map(({ name }) => name)])];
-    const there = usual.filter((name) => this.axis(name) && !this.axis(name)?.whole);
+    const there = usualFirst(this.axes);
     if (!this.axis(this.named.x)) this.named.x = there.find((name) => name !== this.named.y) ?? '';
     if (!this.axis(this.named.y)) this.named.y = there.find((name) => name !== this.named.x) ?? '';
+    for (const axis of this.axes) this.ranges.follow(axis, this.value(axis));
   }
   /**
    * @param {'of' | 'x' | 'y'} slot
@@ -274,7 +272,7 @@ export class WhatIf {
     const lattice = this.#lattice();
     const [[x0, x1], [y0, y1]] = [this.range(x), this.range(y)];
     const { h, w } = this.plane.plot;
-    const cell = this.points.cell(this.held);
+    const cell = this.points.cell([w, h], this.held);
     const seen = JSON.stringify([lattice.number, lattice.version, x0, x1, y0, y1, w, h, cell]);
     if (this.view && seen === this.seen) return;
     this.seen = seen;

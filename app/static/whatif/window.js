@@ -103,9 +103,21 @@ export class Window {
    */
   why(X, Y) {
     const { axes, first, steps } = this;
-    const i = Math.round((axes.x0 + X * (axes.x1 - axes.x0)) / steps[0]) - first[0];
-    const j = Math.round((axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1]) - first[1];
-    return this.lattice.why.get(this.key(i, j)) ?? null;
+    const i = (axes.x0 + X * (axes.x1 - axes.x0)) / steps[0] - first[0];
+    const j = (axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1] - first[1];
+    if (!this.#refused(Math.round(i), Math.round(j))) return null;
+    for (let s = 1; s <= COARSE; s *= 2) {
+      const found = this.lattice.why.get(this.key(s * Math.round(i / s), s * Math.round(j / s)));
+      if (found) return found; // a finer point has none of its own where it was filled from coarser ones
+    }
+    return null;
+  }
+  /**
+   * @param {number} i
+   * @param {number} j
+   */
+  #refused(i, j) {
+    return this.contacts[j * this.nx + i] < 0;
   }
   /** Find again which points are known. */
   look() {
