@@ -1,4 +1,4 @@
-// Solutions that are kept: up to four, overlaid on every chart, compared with the one that is shown, and one of them
+// Solutions that are kept: up to eight, overlaid on every chart, compared with the one that is shown, and one of them
 // beside it in the picture. They are messages that the browser has already; nothing is solved for them.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';

@@ -4,7 +4,8 @@ import { make, write } from '../browser/dom.js';
 import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
-import { axesOf } from './axes.js';
+import { axesOf, valueIn } from './axes.js';
+import { Designs } from './designs.js';
 import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
@@ -69,6 +70,7 @@ export class WhatIf {
     this.sentence = new Sentence((slot, name) => this.choose(slot, name));
     this.plane = new Plane();
     this.goal = new Goal(this);
+    this.designs = new Designs(this);
     this.gains = new Gains(this);
     this.tiles = new Tiles((result) => this.choose('of', result));
     this.status = make('p', { className: 'whatif-status', role: 'status' });
@@ -77,8 +79,15 @@ export class WhatIf {
     const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
-    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root, this.back);
-    this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root);
+    this.head = make(
+      'div',
+      { className: 'whatif-head' },
+      this.sentence.root,
+      this.modes.segments.root,
+      this.designs.keep,
+      this.back,
+    );
+    this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root, this.designs.root);
     const foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, foot, this.side];
     this.hands = new Hands(this);
@@ -145,12 +154,8 @@ export class WhatIf {
    * The present value of an axis.
    * @param {Axis} axis
    */
-  value({ body, name }) {
-    if (!body) return Number(this.chosen[name]);
-    const values = this.page.frame.parts.flatMap(({ key, values: all }) =>
-      all.map((each) => /** @type {const} */ ([`${key}.${each.quantity}`, each.value])),
-    );
-    return Number(values.find(([key]) => key === name)?.[1]);
+  value(axis) {
+    return valueIn(axis, this.page.frame);
   }
   /** @param {Axis} axis  Places that are shown. */
   range(axis) {
@@ -235,6 +240,7 @@ export class WhatIf {
     if (this.jobs.own.found && !results.includes(this.result)) [this.result] = results;
     this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
     this.tiles.offer(results);
+    this.designs.follow();
     if (shown) this.#instead(shown, results);
     else {
       this.#look(x, y);
@@ -310,7 +316,7 @@ export class WhatIf {
     const at = /** @type {[number, number]} */ ([placeOf(x, values[0]), placeOf(y, values[1])]);
     const wanted = this.wanted[this.result] ?? null;
     plane.drawOver(
-      { x, y, at, values, result: this.result, value: this.here(this.result), wanted, kept: [] },
+      { x, y, at, values, result: this.result, value: this.here(this.result), wanted, ...this.designs.shown },
       view.axes,
     );
   }
