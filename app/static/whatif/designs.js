@@ -3,7 +3,7 @@
 import { figure } from '../compare/figure.js';
 import { leastSaid, sentences } from '../compare/figures.js';
 import { comparable } from '../compare/kinds.js';
-import { differing, shortOf, titleOf } from '../form/settings.js';
+import { differing, lineOf, titleOf } from '../form/settings.js';
 import { download, make, write } from '../browser/dom.js';
 import { linkOf } from '../frame/share.js';
 import { text } from '../text/catalogue.js';
@@ -179,6 +179,21 @@ export class Designs {
     return { kept: /** @type {Kept[]} */ (kept), way: /** @type {[Spot, Spot] | null} */ (way) };
   }
   /**
+   * Those on a curve over the axis across: places and values.
+   * @param {Result} result
+   */
+  along(result) {
+    const { page, x } = this.whatif;
+    const [from, to] = this.whatif.range(x);
+    return this.beside
+      .filter(({ frame }) => !differsBeyond(page.frame, frame, [x]))
+      .map(({ frame, letter }) => ({
+        ...{ letter, place: placeOf(x, valueIn(x, frame)) },
+        value: valueOf(result, this.figures(frame)),
+      }))
+      .filter(({ place, value }) => place >= from && place <= to && Number.isFinite(value));
+  }
+  /**
    * Have the scene become one of them.
    * @param {string} letter
    */
@@ -206,7 +221,6 @@ export class Designs {
    */
   #list(runs, beside) {
     const { page, result } = this.whatif;
-    const names = differing([page.frame, ...beside.map(({ frame }) => frame)]);
     const anew = runs.length !== this.rows.size || runs.some((run) => !this.rows.has(run));
     if (anew) {
       this.rows = new Map(runs.map((run) => [run, this.rows.get(run) ?? this.#row(run)]));
@@ -215,8 +229,8 @@ export class Designs {
     for (const [run, { value, what }] of this.rows) {
       const { frame } = run;
       const there = beside.includes(run);
-      write(what, there ? shortOf(names, frame) || text('compare.same') : titleOf(frame));
-      what.title = what.textContent ?? '';
+      const differs = there ? lineOf(differing([page.frame, frame]), frame) : titleOf(frame);
+      write(what, differs || text('compare.same'));
       write(value, there ? written(result, valueOf(result, this.figures(frame))) : '');
     }
   }

@@ -101,6 +101,7 @@ export class WhatIf {
     this.open = true;
     this.asked = this.modes.follow(said);
     this.page.root.dataset.whatif = this.modes.mode;
+    this.page.compare.reach();
     this.page.root.append(...this.parts);
     if (!this.points.ready) {
       write(this.status, text('whatif.preparing'));
@@ -130,6 +131,7 @@ export class WhatIf {
   leave() {
     this.open = false;
     delete this.page.root.dataset.whatif;
+    this.page.compare.reach();
     for (const part of this.parts) part.remove();
     this.gains.leave();
     this.points.leave();
