@@ -107,8 +107,9 @@ export class Designs {
     this.list = make('ul');
     this.said = make('p', { ariaLive: 'polite' });
     const head = make('div', { className: 'whatif-line' });
-    head.append(make('strong', { textContent: text('compare.runs') }), this.save);
-    this.root = make('section', { className: 'whatif-kept' }, head, this.list, this.said, this.morph.root);
+    this.title = make('strong', { textContent: text('compare.runs') });
+    head.append(this.title, this.morph.root, this.save);
+    this.root = make('section', { className: 'whatif-kept' }, head, this.morph.wrong, this.said, this.list);
     this.root.ariaLabel = text('compare.runs');
   }
   /** All that is kept. */
@@ -173,7 +174,8 @@ export class Designs {
       /** @type {Spot} */ ([placeOf(x, valueIn(x, frame)), placeOf(y, valueIn(y, frame))]);
     const kept = this.beside
       .map(({ frame, letter }) => ({ letter, at: at(frame), hollow: differsBeyond(page.frame, frame, [x, y]) }))
-      .filter(({ at: place }) => place.every(Number.isFinite));
+      .filter(({ at: place }) => place.every(Number.isFinite))
+      .sort((one, other) => Number(other.hollow) - Number(one.hollow)); // those of this very map above the others
     const { changes, from, to } = this.morph;
     const way = changes.length && from && to ? [at(from.frame), at(to.frame)] : null;
     return { kept: /** @type {Kept[]} */ (kept), way: /** @type {[Spot, Spot] | null} */ (way) };
@@ -211,6 +213,7 @@ export class Designs {
     this.root.hidden = !runs.length;
     const { beside } = this;
     this.morph.follow(beside);
+    this.title.hidden = !this.morph.root.hidden; // the slider has its room
     this.#list(runs, beside);
     this.#compare(frame, beside);
     this.#save();

@@ -102,9 +102,8 @@ export class Morph {
     this.ends = { from: choice('from', text('whatif.morph-from')), to: choice('to', text('whatif.morph-to')) };
     this.range = make('input', { type: 'range', min: 0, max: STEPS, step: 1 });
     this.range.oninput = () => this.go(Number(this.range.value) / STEPS);
-    this.line = make('div', { className: 'whatif-line' }, this.ends.from, this.range, this.ends.to);
+    this.root = make('div', { className: 'whatif-morph' }, this.ends.from, this.range, this.ends.to);
     this.wrong = make('p');
-    this.root = make('div', { className: 'whatif-morph' }, this.line, this.wrong);
   }
   /**
    * Which there are, and how far between them the scene is.
@@ -116,9 +115,10 @@ export class Morph {
     const of = (/** @type {string} */ name) => runs.find(({ letter }) => letter === name);
     const { ends, letters } = this;
     this.from = of(letters.from) ?? runs.find(({ letter }) => letter !== letters.to);
-    this.to = of(letters.to) ?? runs.findLast((run) => run !== this.from);
+    this.to = of(letters.to) ?? runs.find((run) => run !== this.from);
     const { from, to } = this;
     this.changes = [];
+    write(this.wrong, '');
     if (this.root.hidden || !from || !to) return;
     Object.assign(letters, { from: from.letter, to: to.letter });
     for (const end of /** @type {const} */ (['from', 'to'])) {
@@ -133,7 +133,7 @@ export class Morph {
     const moves = changes.length > 0 && !others.length;
     this.range.disabled = !moves;
     this.range.ariaLabel = text('whatif.morph', letters);
-    write(this.wrong, others.length ? text('whatif.no-between', { ...letters, names: others }) : '');
+    if (others.length) write(this.wrong, text('whatif.no-between', { ...letters, names: others }));
     if (!moves) return;
     this.changes = changes;
     const share = shareAlong(changes, this.whatif.page.frame);
