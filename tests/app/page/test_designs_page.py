@@ -17,6 +17,10 @@ from .test_whatif_page import SIZES, WHATIF, opened
 MAP = "?layout=opening&law=hertz&whatif=peak_force,mass_ratio,hertz_stiffness"
 KEPT = "() => strikewave.page.compare.runs.map(({ letter }) => letter).join('')"
 RESTS = "() => !strikewave.page.own.made.has(strikewave.page.frame) && !strikewave.page.asked"
+AS_AT_FIRST = """() => new Promise((done) => {
+  strikewave.page.compare.clear();
+  strikewave.page.goTo({ scene: 'fixed-rod', law: 'hertz' }, done);
+}).then(() => null)"""
 CHOSEN = "() => strikewave.page.frame.chosen"
 FIGURES = ("contacts", "impactor_velocity", "peak_force", "contact_time", "newton", "peak_indentation")
 
@@ -29,7 +33,8 @@ def mapped(show):
     def shown(query: str = MAP, size=SIZES[0]):
         page = opened(show, query, size)
         pages.append(page)
-        page.evaluate("() => strikewave.page.compare.clear()")
+        page.evaluate(AS_AT_FIRST)
+        settled(page)
         return page
 
     yield shown
@@ -75,7 +80,7 @@ def test_what_is_kept_stands_on_the_map_and_is_gone_back_to(mapped):
     rows = page.tab.locator(".whatif-kept li")
     expect(rows.first).to_contain_text("Mass ratio 1, Stiffness 1e10")
     said = page.tab.locator(".whatif-kept p[aria-live]")
-    expect(said).to_contain_text(re.compile(r"^Against B: peak force .* instead of .*: .* more"))
+    expect(said).to_contain_text(re.compile(r"^Against B: peak force .* instead of .*%\smore"))
     page.tab.mouse.click(*spot(page, "A"))
     page.wait("() => strikewave.page.frame.chosen.hertz_stiffness === 1e10")
     assert page.evaluate(CHOSEN)["mass_ratio"] == 1.0
@@ -144,7 +149,7 @@ def test_the_table_has_the_inputs_and_figures_of_the_library(mapped, tmp_path):
         scene = solvers.load(row["scene"])
         assert float(row["impactor.mass"]) == pytest.approx(scene.target.mass / ratio, rel=1e-12)
         assert float(row["contact.stiffness"]) == stiffness
-        numbers = ("impactor.mass", "impactor.velocity", "target.length", "target.material.young")
+        numbers = ("impactor.mass", "impactor.velocity", "target.length")
         given = {name: float(row[name]) for name in numbers}
         contact = {"law": row["contact.law"], "stiffness": float(row["contact.stiffness"])}
         exact = solvers.solve(scene.replace({**given, "contact": contact}), method=row["method.name"])
