@@ -48,6 +48,18 @@ export function axesOf(frame, { spec }, held) {
 }
 
 /**
+ * The value that a scene has on an axis; NaN where there is none.
+ * @param {Axis} axis
+ * @param {Pick<Frame, 'chosen' | 'parts'>} frame
+ */
+export function valueIn({ body, name }, { chosen, parts }) {
+  if (!body) return Number(chosen[name]);
+  for (const { key, values } of parts)
+    for (const { quantity, value } of values) if (`${key}.${quantity}` === name) return Number(value ?? NaN);
+  return NaN;
+}
+
+/**
  * By slider: the value of a body that it alone sets, which would be the same axis again.
  * @type {Record<string, string>}
  */

@@ -6,7 +6,7 @@ import { shownOf } from './results.js';
 /** @import { Axis } from './axes.js' */
 /** @import { WhatIf } from './whatif.js' */
 
-const CURSORS = { point: 'grab', goal: 'move', bar: 'ns-resize', map: 'crosshair' };
+const CURSORS = { point: 'grab', letter: 'pointer', goal: 'move', bar: 'ns-resize', map: 'crosshair' };
 const ARROWS = /** @type {Record<string, [number, number]>} */ ({
   ArrowRight: [1, 0],
   ArrowLeft: [-1, 0],
@@ -18,7 +18,7 @@ const WHEEL = 0.003; // of a pixel of the wheel
 const LEAST = 0.05; // units of an axis that a map shows at least
 
 export class Hands {
-  /** @type {'point' | 'goal' | 'bar' | 'map' | null} */ drag = null;
+  /** @type {ReturnType<WhatIf['plane']['under']>} */ drag = null;
 
   /** @param {WhatIf} whatif */
   constructor(whatif) {
@@ -42,6 +42,7 @@ export class Hands {
     const [px, py] = this.#where(event);
     const under = view && !event.button ? plane.under(px, py) : null;
     if (!under) return;
+    if (under === 'letter') return this.whatif.designs.go(plane.letters.under(px, py) ?? '');
     this.drag = under;
     plane.over.setPointerCapture(event.pointerId);
     this.whatif.held = true;

@@ -19,7 +19,7 @@ export class MapJobs {
   /** @type {Point[][]} */ wanted = []; // by level
   /** @type {ReturnType<Window['halves']> | null} */ halves = null; // once they are looked for
   coarse = false; // whether the first picture is not yet whole
-  /** @type {{ key: string, found: Float64Array | null }} */ own = { key: '', found: null };
+  /** @type {{ key: string, of: string, found: Float64Array | null }} */ own = { key: '', of: '', found: null };
   under = 0; // jobs that are under way
 
   /** @param {WhatIf} whatif */
@@ -51,9 +51,9 @@ export class MapJobs {
   /** @returns {Job | null} */
   next() {
     const { view } = this;
-    const { gains, goal, modes } = this.whatif;
+    const { designs, gains, goal, modes } = this.whatif;
     if (!view && !modes.shown) return null;
-    const first = this.#own() ?? goal.pulling.next() ?? goal.seek.next();
+    const first = this.#own() ?? designs.next() ?? goal.pulling.next() ?? goal.seek.next();
     if (first) return first;
     if (!view) return modes.next(this.many) ?? gains.next();
     const gain = this.coarse ? null : gains.next();
@@ -76,7 +76,7 @@ export class MapJobs {
     this.own.key = key;
     const rows = Float64Array.of(this.whatif.value(x), this.whatif.value(y));
     const job = this.#job(rows, 0, (found) => {
-      if (found && !found[0]) this.own.found = found;
+      if (found && !found[0]) Object.assign(this.own, { found, of: key });
     });
     return { ...job, wished: true };
   }

@@ -7,6 +7,7 @@ import { Bar, tickOf } from './bar.js';
 import { colouring, paletteOf } from './colours.js';
 import { contoursOf, levelsOf, partsOf } from './contours.js';
 import { MANY } from './lattice.js';
+import { Letters } from './letters.js';
 import { COLOR, disc, mark, pill, stroke, word } from './ink.js';
 import { marksOf, writtenOn } from './places.js';
 import { Raster } from './raster.js';
@@ -36,7 +37,8 @@ const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
  * @property {Result} result
  * @property {number} value
  * @property {number | null} wanted
- * @property {{ letter: string, at: Spot }[]} kept
+ * @property {import('./letters.js').Kept[]} kept
+ * @property {[from: Spot, to: Spot] | null} way  between two of them
  */
 
 export class Plane {
@@ -51,6 +53,7 @@ export class Plane {
   /** @type {Spot} */ at = [0, 0]; // of the point
   /** @type {Domain} */ domain = [0, 1];
   bar = new Bar();
+  letters = new Letters();
 
   constructor() {
     this.root = make('div', { className: 'whatif-map' }, this.base, this.over);
@@ -267,13 +270,7 @@ export class Plane {
     if (!this.narrow) this.bar.draw(c, plot, this.domain, shown);
     const spot = (/** @type {Spot} */ [p, q]) =>
       /** @type {Spot} */ ([plot.x + ((p - x0) / (x1 - x0)) * plot.w, plot.y + (1 - (q - y0) / (y1 - y0)) * plot.h]);
-    for (const { at, letter } of shown.kept) {
-      const [px, py] = spot(at);
-      if (!this.#holds(px, py)) continue;
-      disc(c, px, py, 11, COLOR.edge);
-      disc(c, px, py, 10, COLOR.kept);
-      word(c, letter, px, py + 0.5, { color: '#fff', weight: '700 ' });
-    }
+    this.letters.draw(c, plot, shown.kept, shown.way, spot);
     this.at = spot(shown.at);
     this.#point(c, shown, this.#holds(...this.at));
   }
@@ -319,10 +316,11 @@ export class Plane {
    * What lies under a pointer.
    * @param {number} px
    * @param {number} py
-   * @returns {'point' | 'goal' | 'bar' | 'map' | null}
+   * @returns {'point' | 'letter' | 'goal' | 'bar' | 'map' | null}
    */
   under(px, py) {
     if (Math.hypot(px - this.at[0], py - this.at[1]) < POINT.reach) return 'point';
+    if (this.letters.under(px, py)) return 'letter';
     const { plot } = this;
     if (!this.narrow && this.bar.holds(px) && py > plot.y - 8 && py < plot.y + plot.h + 8) return 'bar';
     if (!this.#holds(px, py)) return null;

@@ -4,7 +4,8 @@ import { make, write } from '../browser/dom.js';
 import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
-import { axesOf, usualFirst } from './axes.js';
+import { axesOf, usualFirst, valueIn } from './axes.js';
+import { Designs } from './designs.js';
 import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
@@ -29,7 +30,6 @@ import { Tiles, domainOf } from './tiles.js';
 
 const KEPT = 16; // lattices
 const STREAM = 100; // ms between pictures of what comes in while nothing is held
-const TILES = 250; // ms between those of the small maps
 const OFTEN_NONE = ['target_velocity', 'dissipated', 'contact_time', 'vibration']; // where held, or in no time
 const LEAST = 1e-9;
 const OFF = 0.12; // of a scale, that the values may be off by before it follows
@@ -55,8 +55,6 @@ export class WhatIf {
   numbered = 0; // lattices so far
   due = 0;
   /** @type {number | undefined} */ streaming;
-  tiled = 0; // when the small maps were drawn
-  tiling = 0;
 
   /**
    * @param {Page} page
@@ -70,6 +68,7 @@ export class WhatIf {
     this.sentence = new Sentence((slot, name) => this.choose(slot, name));
     this.plane = new Plane();
     this.goal = new Goal(this);
+    this.designs = new Designs(this);
     this.gains = new Gains(this);
     this.tiles = new Tiles((result) => this.choose('of', result));
     this.status = make('p', { className: 'whatif-status', role: 'status' });
@@ -78,8 +77,15 @@ export class WhatIf {
     const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
-    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root, this.back);
-    this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root);
+    this.head = make(
+      'div',
+      { className: 'whatif-head' },
+      this.sentence.root,
+      this.modes.segments.root,
+      this.designs.keep,
+      this.back,
+    );
+    this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root, this.designs.root);
     this.foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
     this.hands = new Hands(this);
@@ -104,11 +110,13 @@ export class WhatIf {
   /** Take the place of the picture. */
   place() {
     this.page.root.dataset.whatif = this.modes.mode;
+    this.page.compare.reach();
     this.page.root.append(...this.parts);
   }
   /** Give it back. */
   clear() {
     delete this.page.root.dataset.whatif;
+    this.page.compare.reach();
     for (const part of this.parts) part.remove();
   }
   /** What a link says of it: the result, both axes, and what is wanted. */
@@ -154,12 +162,8 @@ export class WhatIf {
    * The present value of an axis.
    * @param {Axis} axis
    */
-  value({ body, name }) {
-    if (!body) return Number(this.chosen[name]);
-    const values = this.page.frame.parts.flatMap(({ key, values: all }) =>
-      all.map((each) => /** @type {const} */ ([`${key}.${each.quantity}`, each.value])),
-    );
-    return Number(values.find(([key]) => key === name)?.[1]);
+  value(axis) {
+    return valueIn(axis, this.page.frame);
   }
   /** @param {Axis} axis  Places that are shown. */
   range(axis) {
@@ -257,6 +261,7 @@ export class WhatIf {
     const { x, y } = this;
     this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
     this.tiles.offer(results);
+    this.designs.follow();
     if (this.modes.shown) this.tiles.say((result) => this.here(result), this.result);
     else this.#tile();
     this.goal.follow();
@@ -325,7 +330,7 @@ export class WhatIf {
     const at = /** @type {[number, number]} */ ([placeOf(x, values[0]), placeOf(y, values[1])]);
     const wanted = this.wanted[this.result] ?? null;
     plane.drawOver(
-      { x, y, at, values, result: this.result, value: this.here(this.result), wanted, kept: [] },
+      { x, y, at, values, result: this.result, value: this.here(this.result), wanted, ...this.designs.shown },
       view.axes,
     );
   }
@@ -363,15 +368,9 @@ export class WhatIf {
   }
   #tile() {
     this.tiles.say((result) => this.here(result), this.result);
-    const now = performance.now();
-    const wait = this.tiled + TILES - now;
-    if (wait > 0) {
-      this.tiling ||= window.setTimeout(() => [(this.tiling = 0), this.schedule()], wait);
-      return;
-    }
     const { view, x, y } = this;
-    if (!view || (this.held && this.jobs.coarse)) return;
-    this.tiled = now;
+    const wait = this.tiles.wait(() => this.schedule());
+    if (wait || !view || (this.held && this.jobs.coarse)) return;
     const share = (/** @type {Axis} */ axis) => {
       const [from, to] = this.range(axis);
       return (placeOf(axis, this.value(axis)) - from) / (to - from);
