@@ -2,6 +2,7 @@
 // the step leaves to students.
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
+import { grouped } from '../text/format.js';
 import { titleOf } from './results.js';
 import { nameOf } from './sentence.js';
 import { WhatIf } from './whatif.js';
@@ -40,6 +41,10 @@ export class TaughtMap extends WhatIf {
   beside() {
     const { result, x, y } = this;
     write(this.heading, text('whatif.sentence', { of: titleOf(result), x: nameOf(x), y: nameOf(y) }));
+  }
+  /** A lesson does not weigh how impacts are solved. */
+  say() {
+    write(this.status, text('whatif.impacts', { count: grouped(this.points.solved) }));
   }
   /** @param {[axis: Axis, value: number][]} values */
   set(values) {

@@ -250,7 +250,7 @@ export class WhatIf {
       this.over();
     }
     this.beside(results);
-    this.#say();
+    this.say();
     points.feed();
   }
   /**
@@ -377,7 +377,8 @@ export class WhatIf {
     };
     if (this.tiles.draw(view, [share(x), share(y)], this.seen)) this.filled = ''; // it is with another result by now
   }
-  #say() {
+  /** How many impacts there are, by what, and how wrong that is. */
+  say() {
     const { points } = this;
     const count = grouped(points.solved);
     const where = points.source === points.own ? 'browser' : 'server';
