@@ -131,7 +131,7 @@ def test_heads(old, new, line, said):
         (fence("scene", 'show = ["map"]\nmap = ["contacts", "speed", "law"]'), 11, "map: got ['contacts', 's"),
         (fence("scene", 'show = ["map"]\nmap = ["contacts", "speed", "speed"]'), 11, "map: got ['contacts', 'speed'"),
         (fence("scene", 'show = ["map"]\nmap = ["contacts", "speed"]'), 11, "map: got ['contacts', 'speed']; a"),
-        (fence("scene", 'show = ["map"]\nmap = "contacts"'), 11, "map: got 'contacts'; allowed: result, across and upw"),
+        (fence("scene", 'show = ["map"]\nmap = "contacts"'), 11, "map: got 'contacts'; allowed: result, across a"),
         (fence("scene", 'show = ["map", "force", "moved"]'), 10, "show: rows and charts have one place"),
         (fence("scene", 'show = ["rows", "force"]'), 10, "show: rows and charts have one place; show either rows, or"),
         (fence("scene", 'show = ["force", "moved", "energy"]'), 10, "show: rows and charts have one place"),
