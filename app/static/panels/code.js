@@ -56,6 +56,33 @@ export function pythonOf(file, others) {
   return [['import', LIBRARY].join(' '), '', ...solved].join('\n');
 }
 
+/**
+ * Lines to be copied; those of a scene file to be saved, too.
+ * @param {'command' | 'python' | 'scene'} name
+ * @param {HTMLElement} said  what is said of it
+ * @param {() => string} file  its name
+ */
+export function partOf(name, said, file) {
+  const code = make('pre', { tabIndex: 0 });
+  const copy = make('button', { type: 'button', className: 'when', textContent: text('code.copy') });
+  copy.ariaLabel = text('code.copy-about', { name });
+  copy.onclick = async () => {
+    try {
+      await navigator.clipboard.writeText(code.textContent ?? '');
+      said.textContent = text('code.copied');
+    } catch {
+      said.textContent = text('code.not-copied');
+    }
+  };
+  const head = make('header', {}, make('h3', { textContent: text('code.part', { name }) }), copy);
+  if (name === 'scene') {
+    const save = make('button', { type: 'button', className: 'when', textContent: text('code.save') });
+    save.onclick = () => download(new Blob([code.textContent ?? ''], { type: 'application/toml' }), file());
+    head.append(save);
+  }
+  return { name, code, root: make('section', { className: 'code-part' }, head, code) };
+}
+
 class Code extends Panel {
   static beside = true; // has room in the dock; the charts stay
 
@@ -63,34 +90,13 @@ class Code extends Panel {
   constructor(page) {
     super(page, 'code', text('code.button'), text('code.about'), text('code.heading'));
     this.said = make('p', { className: 'help', role: 'status' });
-    this.parts = /** @type {const} */ (['command', 'python', 'scene']).map((name) => this.#part(name));
+    this.parts = /** @type {const} */ (['command', 'python', 'scene']).map((name) =>
+      partOf(name, this.said, () => this.file),
+    );
     this.root.append(this.said, ...this.parts.map(({ root }) => root));
-  }
-  /** @param {'command' | 'python' | 'scene'} name */
-  #part(name) {
-    const code = make('pre', { tabIndex: 0 });
-    const copy = make('button', { type: 'button', className: 'when', textContent: text('code.copy') });
-    copy.ariaLabel = text('code.copy-about', { name });
-    copy.onclick = () => this.#copy(code.textContent ?? '');
-    const head = make('header', {}, make('h3', { textContent: text('code.part', { name }) }), copy);
-    if (name === 'scene') {
-      const save = make('button', { type: 'button', className: 'when', textContent: text('code.save') });
-      save.onclick = () => download(new Blob([code.textContent ?? ''], { type: 'application/toml' }), this.file);
-      head.append(save);
-    }
-    return { name, code, root: make('section', { className: 'code-part' }, head, code) };
   }
   get file() {
     return `${fileOf(this.page.frame.chosen.scene)}.toml`;
-  }
-  /** @param {string} code */
-  async #copy(code) {
-    try {
-      await navigator.clipboard.writeText(code);
-      this.said.textContent = text('code.copied');
-    } catch {
-      this.said.textContent = text('code.not-copied');
-    }
   }
   fill() {
     const { frame, own } = this.page;

@@ -67,6 +67,12 @@ export class Goal {
   get axis() {
     return this.whatif.axis(this.gives);
   }
+  /** The axis that gives way where nobody has chosen one. */
+  get usual() {
+    const { axes, named } = this.whatif;
+    const can = axes.filter(({ whole }) => !whole);
+    return (can.find(({ name }) => name !== named.x && name !== named.y) ?? can[0])?.name ?? '';
+  }
   get wanted() {
     return this.whatif.wanted[this.whatif.result] ?? null;
   }
@@ -92,9 +98,8 @@ export class Goal {
   }
   /** What there is changed: seek again, where anything that it hangs on has. */
   follow() {
-    const { axes, named, page, result } = this.whatif;
-    const can = axes.filter(({ whole }) => !whole);
-    if (!this.axis) this.gives = (can.find(({ name }) => name !== named.x && name !== named.y) ?? can[0])?.name ?? '';
+    const { page, result } = this.whatif;
+    if (!this.axis) this.gives = this.usual;
     const { axis, wanted } = this;
     this.root.hidden = Boolean(shownOf(result).whole) || !axis;
     if (this.root.hidden || wanted === null || !axis) {

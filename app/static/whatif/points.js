@@ -13,8 +13,10 @@ import { Served } from './server.js';
  * @property {string[]} names  of choices that its impacts differ by
  * @property {Float64Array} rows  their values, impact by impact
  * @property {number} [tolerance]  of a step through a contact law; 0: that of the page's own answers
- * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>) => void} done
+ * @property {boolean} [file]  the scene file of the first impact is wanted, and by which keys the others differ from it
+ * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>, file?: SceneFile) => void} done
  */
+/** @typedef {{ scene: string, keys: Record<string, (number | null)[]> | null }} SceneFile */
 /**
  * @typedef {object} Source
  * @property {() => Promise<boolean>} prepare
@@ -33,6 +35,7 @@ export class Points {
   /** @type {Frame | null} */ base = null; // that its impacts are made from
   spent = 0.3; // ms for an impact
   solved = 0;
+  /** @type {Job[]} */ files = []; // that the server is asked for
   /** @type {Job[]} */ queue = []; // that the server is asked while the browser finds the others
   /** @type {Frame | null} */ asked = null; // what the server is asked about
   ready = false;
@@ -44,8 +47,9 @@ export class Points {
   constructor(page, next) {
     this.page = page;
     /** @type {Source} */ this.own = new Pool(() => (this.source === this.own ? this.#counted(next()) : null));
-    /** @type {Source} */ this.served = new Served(page, () =>
-      this.source === this.served ? this.#counted(next()) : this.#left(),
+    /** @type {Source} */ this.served = new Served(
+      page,
+      () => this.files.shift() ?? (this.source === this.served ? this.#counted(next()) : this.#left()),
     );
     /** @type {Source[]} */ this.sources = [];
   }
@@ -124,11 +128,33 @@ export class Points {
   elsewhere(job) {
     if (this.source !== this.own || !this.base || !this.sources.includes(this.served)) return;
     if (!this.served.covers(this.base, job.names)) return;
-    if (this.asked !== this.base) this.served.scene(this.base);
-    this.asked = this.base;
+    this.#about(this.base);
     this.queue.push(job);
     if (this.queue.length > MOST) this.queue.shift();
     this.served.feed();
+  }
+  /** @param {Frame} base  What the server is asked about. */
+  #about(base) {
+    if (this.asked !== base) this.served.scene(base);
+    this.asked = base;
+  }
+  /**
+   * Have the server write a scene file.
+   * @param {Omit<Job, 'done' | 'file'>} job
+   * @returns {Promise<SceneFile | string>}  or why there is none
+   */
+  file(job) {
+    return new Promise((take) => {
+      const { base } = this;
+      const there = base && this.sources.includes(this.served) && this.served.covers(base, job.names);
+      if (!there || this.page.connection?.lost) {
+        take('');
+        return;
+      }
+      if (this.source !== this.served) this.#about(base);
+      this.files.push({ ...job, file: true, done: (_, __, why, file) => take(file ?? why?.get(0) ?? '') });
+      this.served.feed();
+    });
   }
   /** @param {string} name  Whether it can vary in what is asked for. */
   covers(name) {
@@ -141,6 +167,7 @@ export class Points {
   leave() {
     for (const each of this.sources) each.leave();
     this.source = this.base = this.asked = null;
+    for (const { done } of this.files.splice(0)) done(null, 0);
     this.queue = [];
     this.sources = [];
   }

@@ -4,6 +4,7 @@ import { make, write } from '../browser/dom.js';
 import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
+import { Along } from './along.js';
 import { axesOf } from './axes.js';
 import { Gains } from './gains.js';
 import { Goal } from './goal.js';
@@ -16,6 +17,7 @@ import { Plane } from './plane.js';
 import { placeOf, usualRange } from './places.js';
 import { Points } from './points.js';
 import { NAMES, shownOf, valueOf } from './results.js';
+import { follow, saidOf } from './view_link.js';
 import { Sentence } from './sentence.js';
 import { figuresOfWhole } from '../wasm/columns.js';
 import { Tiles, domainOf } from './tiles.js';
@@ -77,7 +79,9 @@ export class WhatIf {
     const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
-    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root, this.back);
+    this.along = new Along(this);
+    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root);
+    this.head.append(this.along.root, this.back);
     this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root);
     const foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, foot, this.side];
@@ -101,22 +105,9 @@ export class WhatIf {
     this.take();
     this.page.place();
   }
-  /** What a link says of it: the result, both axes, and what is wanted. */
+  /** What a link says of it. */
   get said() {
-    const wanted = this.wanted[this.result];
-    return (
-      this.modes.said + [this.result, this.named.x, this.named.y, ...(wanted === undefined ? [] : [wanted])].join(',')
-    );
-  }
-  /** As a link says. */
-  #follow() {
-    const [result, x, y, wanted] = this.asked.split(',');
-    this.asked = '';
-    const known = NAMES.find((name) => name === result);
-    if (known) this.result = known;
-    if (this.axis(x)) this.named.x = x;
-    if (this.axis(y) && y !== this.named.x) this.named.y = y;
-    if (wanted && Number.isFinite(Number(wanted))) this.wanted[this.result] = Number(wanted);
+    return saidOf(this);
   }
   leave() {
     this.open = false;
@@ -174,7 +165,8 @@ export class WhatIf {
       this.wanted = {};
       this.named = { x: '', y: '' };
     }
-    if (this.asked) this.#follow();
+    if (this.asked) follow(this, this.asked);
+    this.asked = '';
     this.#settle();
     this.schedule();
   }
@@ -246,6 +238,7 @@ export class WhatIf {
     this.goal.draw();
     this.gains.follow();
     this.#say();
+    this.along.follow();
     points.feed();
   }
   /**
