@@ -16,7 +16,7 @@ from ..messages.parts import taken_along
 from ..messages.transverse import chosen_method
 
 Table = Mapping[str, Any]
-SAME = 1e-12  # relative difference of numbers that are the same but for rounding
+SAME = 2e-11  # relative difference of numbers that are the same but for rounding, as of choices to 12 digits
 ABOUT = ("title", "source", "note")  # keys that say nothing of how it is solved
 
 

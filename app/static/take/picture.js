@@ -9,7 +9,7 @@ import { make } from '../browser/dom.js';
 /** @typedef {{ canvas: HTMLCanvasElement, box: DOMRect }} Layer */
 
 const PARTS = '.ask, .caption, .stages, .section, .strip, .happens, .lens';
-const SILENT = '.unseen, .tools, [role="tooltip"]';
+const SILENT = '.unseen, .tools, .stepper > button, [role="tooltip"]';
 const EDGE = 16; // pixels around
 const LINE = 20; // below, where it says whose it is
 
@@ -76,6 +76,13 @@ function letter(c, around) {
 }
 
 /**
+ * Where words are cut off that have no room.
+ * @param {Element} around
+ */
+const endOf = (around) =>
+  getComputedStyle(around).textOverflow === 'ellipsis' ? around.getBoundingClientRect().right + 1 : Infinity;
+
+/**
  * What is chosen or typed in a field, which is no text of the page.
  * @param {Context} c
  * @param {HTMLInputElement | HTMLSelectElement} field
@@ -110,13 +117,16 @@ function write(c, part, { bottom, top }) {
     const { parentElement: around, textContent } = node;
     if (!around?.checkVisibility() || around.closest(SILENT) || around.closest('option')) continue;
     letter(c, around);
+    const end = endOf(around);
     for (const { 0: word, index } of (textContent ?? '').matchAll(/\S+/g)) {
       range.setStart(node, index);
       range.setEnd(node, index + word.length);
       const box = range.getBoundingClientRect();
       if (!box.width || box.top < top - 1 || box.bottom > bottom + 1) continue; // it is scrolled away
       const { fontBoundingBoxAscent: up, fontBoundingBoxDescent: down } = c.measureText(word);
-      c.fillText(word, box.left, box.top + 0.5 * (box.height + up - down));
+      const base = box.top + 0.5 * (box.height + up - down);
+      c.fillText(box.right > end ? '…' : word, box.left, base);
+      if (box.right > end) break;
     }
   }
 }

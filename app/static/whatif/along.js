@@ -40,6 +40,7 @@ export class Along {
     const menu = new Menu('takes', button);
     this.root = menu.root;
     this.root.classList.add('whatif-along');
+    menu.button.ariaLabel = menu.button.textContent; // on a phone it is a sign
     menu.item(text('take.png'), () => this.#picture(({ savePng }, ...what) => savePng(whatif.page, ...what), FINE));
     menu.item(text('take.svg'), () => this.#picture(({ saveSvg }, ...what) => saveSvg(whatif.page, ...what), 1));
     menu.item(text('whatif.table'), () => this.#table());

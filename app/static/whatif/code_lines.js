@@ -4,6 +4,7 @@
 /** @import { Result } from './results.js' */
 
 const DIGITS = 15;
+const ROUNDING = 2e-11; // relative, of choices to 12 digits
 const SAME = 1e-9; // relative: a value that is that of an even range
 /** By the names of results: those of figures of the library, where they differ. */
 const FIGURES = /** @type {Record<string, string>} */ ({
@@ -83,7 +84,7 @@ export function apart(keys, across) {
 /** @param {Values} values */
 function differ(values) {
   const known = values.filter((value) => value !== null);
-  return known.some((value) => Math.abs(value - known[0]) > 1e-12 * Math.abs(known[0]));
+  return known.some((value) => Math.abs(value - known[0]) > ROUNDING * Math.abs(known[0]));
 }
 
 /**
