@@ -65,7 +65,7 @@ def _keys(first: Table, others: Sequence[Table | None]) -> dict[str, list[float 
             return None
         if not _alike(_solved(again.table()), column):
             return None
-    return {name: [column and column[name] for column in columns] for name in moved}
+    return {name: [None if column is None else column[name] for column in columns] for name in moved}
 
 
 def _is_number(value: Any) -> bool:

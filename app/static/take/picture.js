@@ -108,13 +108,16 @@ function writeField(c, field) {
  */
 function write(c, part, { bottom, top }) {
   for (const { shadowRoot } of part.querySelectorAll('*')) if (shadowRoot) write(c, shadowRoot, { bottom, top });
-  const texts = document.createTreeWalker(part, NodeFilter.SHOW_TEXT);
+  const texts = document.createTreeWalker(part, NodeFilter.SHOW_TEXT + NodeFilter.SHOW_ELEMENT);
   const range = document.createRange();
   c.textAlign = 'left';
   c.textBaseline = 'alphabetic';
-  for (const field of part.querySelectorAll('select, input')) writeField(c, /** @type {HTMLInputElement} */ (field));
   for (let node = texts.nextNode(); node; node = texts.nextNode()) {
     const { parentElement: around, textContent } = node;
+    if (node instanceof Element) {
+      if (node.matches('input, select')) writeField(c, /** @type {HTMLInputElement} */ (node));
+      continue;
+    }
     if (!around?.checkVisibility() || around.closest(SILENT) || around.closest('option')) continue;
     letter(c, around);
     const end = endOf(around);

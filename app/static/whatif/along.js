@@ -1,10 +1,10 @@
 // What is taken along of the map, of curves or of tolerances: picture, table, command and Python, link.
+import { partOf } from '../frame/code_part.js';
 import { copyLink, linkOf } from '../frame/share.js';
 import { download, make } from '../browser/dom.js';
 import { late } from '../browser/late.js';
 import { Menu } from '../browser/menu.js';
 import { carried } from '../browser/home.js';
-import { partOf } from '../panels/code.js';
 import { text } from '../text/catalogue.js';
 import { fileOf } from '../wire/own.js';
 import { apart, commandOf, figureOf, pythonOf, variedOf, withinOf } from './code_lines.js';
@@ -133,7 +133,7 @@ export class Along {
   }
   /** Whether the contact gives way, so that a map is found with longer steps. */
   get #gives() {
-    return this.whatif.chosen.law !== 'rigid';
+    return Number.isFinite(this.whatif.here('peak_indentation'));
   }
   /**
    * The scene file, and the keys by which these impacts differ from it.

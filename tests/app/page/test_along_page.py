@@ -16,7 +16,7 @@ from app.command.main import main
 
 from .test_page import settled
 from .test_take_page import SAID
-from .test_whatif_page import DONE, WHATIF, opened
+from .test_whatif_page import DONE, OPEN, WHATIF, opened
 
 pytestmark = pytest.mark.browser
 CODES = "() => [...strikewave.page.root.querySelectorAll('.whatif-code pre')].map((each) => each.textContent)"
@@ -136,7 +136,7 @@ def test_keys_that_go_with_both_axes_are_varied_together(show, tmp_path, monkeyp
     known = {
         (float(row["slenderness"]), float(row["mass_ratio"])): float(row["peak_force_N"])
         for row in rows
-        if not row["refused"]
+        if not row["refused"] and float(row["contacts"]) < 6  # with more no two computers have the same
     }
     found = 0
     depth = scene.target.length / scene.target.slenderness
@@ -146,7 +146,7 @@ def test_keys_that_go_with_both_axes_are_varied_together(show, tmp_path, monkeyp
     ):
         at = (length / depth, density * length / mass)
         near = [value for key, value in known.items() if np.allclose(key, at, rtol=1e-9)]
-        assert not near or force == pytest.approx(near[0], rel=RIGID)
+        assert not near or force == pytest.approx(near[0], rel=WITH_LAW), (at, length, mass)
         found += len(near)
     assert found > 20
 
@@ -177,8 +177,9 @@ def test_pictures_hold_title_axes_contours_and_status(show, tmp_path):
 
 
 def test_curves_are_taken_along_as_rows_and_as_a_study_of_one_key(show, tmp_path, monkeypatch):
-    page = show("?layout=opening&whatif=curves:newton,mass_ratio,speed", (1280, 720))
+    page = show("?layout=opening", (1280, 720))
     settled(page)
+    page.evaluate(OPEN, "curves:newton,mass_ratio,speed")
     page.wait(f"() => {WHATIF}?.modes.curves.jobs.shown?.whole")
     _, rows = table(page, tmp_path / "table.csv")
     ratios = [float(row["mass_ratio"]) for row in rows]
@@ -186,19 +187,20 @@ def test_curves_are_taken_along_as_rows_and_as_a_study_of_one_key(show, tmp_path
     command, python = codes(page, tmp_path)
     assert command.count("--vary") == 1 and "--figure contacts" in command
     monkeypatch.chdir(tmp_path)
-    known = {round(np.log(ROD / ratio), 9): row for ratio, row in zip(ratios, rows, strict=True)}
+    masses = ROD / np.array(ratios)
     for data in run(command, python):
         assert data.sizes == {"impactor.mass": 161}
         for mass, newton, share in zip(data["impactor.mass"], data["newton"], data["vibration_share"], strict=True):
-            row = known[round(np.log(float(mass)), 9)]
+            (row,) = (rows[k] for k in np.flatnonzero(np.isclose(masses, float(mass), rtol=1e-9)))
             assert float(row["newton"]) == pytest.approx(float(newton), rel=RIGID)
             assert float(row["vibration_share"]) == pytest.approx(float(share), rel=RIGID, abs=1e-9)
 
 
 def test_tolerances_are_taken_along_as_samples_and_as_the_command_for_them(show, tmp_path, monkeypatch):
-    page = show("?layout=opening&whatif=tolerance:peak_force,mass_ratio,speed", (1280, 720))
+    page = show("?layout=opening", (1280, 720))
     settled(page)
-    page.wait(f"() => {WHATIF}?.modes.tolerance.jobs.shown?.whole")
+    page.evaluate(OPEN, "tolerance:peak_force,mass_ratio,speed")
+    page.wait(f"() => {WHATIF}?.modes.tolerance.jobs.shown?.whole && {WHATIF}.jobs.idle && !{WHATIF}.due")
     _, rows = table(page, tmp_path / "table.csv")
     peaks = np.array([float(row["peak_force_N"]) for row in rows])
     assert len(rows) == 4000 and {"mass_ratio", "speed_m/s"} <= rows[0].keys()
