@@ -128,8 +128,11 @@ function write(c, part, { bottom, top }) {
       if (!box.width || box.top < top - 1 || box.bottom > bottom + 1) continue; // it is scrolled away
       const { fontBoundingBoxAscent: up, fontBoundingBoxDescent: down } = c.measureText(word);
       const base = box.top + 0.5 * (box.height + up - down);
-      c.fillText(box.right > end ? '…' : word, box.left, base);
-      if (box.right > end) break;
+      if (box.right > end) {
+        c.fillText('…', Math.min(box.left, end - c.measureText('…').width), base);
+        break;
+      }
+      c.fillText(word, box.left, base);
     }
   }
 }
