@@ -26,6 +26,7 @@ from ..messages.mechanism.frame import mechanism_solution
 from ..messages.space import space_solution
 from ..messages.transverse import main_solution
 from ..text.refusals import SOME_TEXT, Refused, note, reason_of
+from .whatif_scene import scene_file
 
 POINTS = "whatif_points"  # key, beside the choices, of what is asked
 MOST_NAMES, MOST_ROWS = 8, 256
@@ -53,6 +54,7 @@ class Points(NamedTuple):
     rows: list[list[float]]  # values for these, SI units
     others: dict[str, Any]  # choices that are otherwise than the server has them by now
     figures: Names  # of those that any solution gives
+    file: bool  # whether the scene file of the first is asked for, and the keys that the others vary; not their figures
 
 
 def id_of(text: str) -> int | None:
@@ -75,7 +77,8 @@ def read_points(text: str) -> Points:
     for name in names:
         _check_name(name)
     figures = (*FREE, STRESS) if asked.get("stress") is True else FREE
-    return Points(names, rows, {name: _choice(name, value) for name, value in others.items()}, figures)
+    set_otherwise = {name: _choice(name, value) for name, value in others.items()}
+    return Points(names, rows, set_otherwise, figures, asked.get("file") is True)
 
 
 def _listed(values: Any, most: int, each: Callable[[Any], bool]) -> bool:
@@ -106,7 +109,7 @@ def _choice(name: str, value: Any) -> Any:
 def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> str:
     """Figures at the points that are asked, as JSON: `chosen`, the choices, `id` of the question, `rows` in the order
     asked, a value for each of `COLUMNS`, as many as are found in time, and `why`, by the number of a row a note why
-    there are none; or `error`, a note why nothing is found.
+    there are none; or `error`, a note why nothing is found. Where the file is asked for, what `scene_file` says.
     """
     text, chosen = asked[POINTS], {name: asked[name] for name in Choices.CHOSEN}
     try:
@@ -114,6 +117,8 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
     except ValueError as reason:
         return json.dumps({"chosen": chosen, "id": id_of(text), "error": reason_of(reason)}, allow_nan=False)
     chosen |= points.others
+    if points.file:
+        return json.dumps({"chosen": chosen, "id": id_of(text)} | _file(chosen, points), allow_nan=False)
     until, rows, why, moved = time.monotonic() + SECONDS, [], {}, {}
     for number, values in enumerate(points.rows):
         if rows and (cancelled() or time.monotonic() > until):
@@ -134,6 +139,19 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
         if number in why:
             rows.append([FAILED, *[None] * (len(COLUMNS) - 1)])
     return json.dumps({"chosen": chosen, "id": id_of(text), "rows": rows, "why": why}, allow_nan=False)
+
+
+def _file(chosen: Values, points: Points) -> dict[str, Any]:
+    moved: dict[tuple, Values] = {}
+    found: list[Request | None] = []
+    for values in points.rows:
+        try:
+            found.append(Request.of(_with(chosen, dict(zip(points.names, values, strict=True)), moved)))
+        except ValueError as reason:
+            if not found:
+                return {"error": reason_of(reason)}
+            found.append(None)
+    return scene_file(found)
 
 
 def _with(chosen: Values, given: Values, moved: dict[tuple, Values]) -> Values:

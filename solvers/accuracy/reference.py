@@ -5,6 +5,7 @@ from typing import Any
 
 from ..bodies import FlexiblePendulum, Mechanism
 from ..methods import METHODS, Balance, Modal, RigidImpulse, Waves, usual_method
+from ..methods.base import Method
 from ..methods.modal.estimate import MOST_MODES
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
@@ -56,7 +57,12 @@ def exact_solution(scene: Scene, restitution: float, duration: float | None = No
     integrated by its usual method. Without a duration [s] as long as the scene says, or as is usual. Raises SceneError
     for beams, of which no exact solution is known.
     """
-    duration = duration or scene.method.get("duration")
+    known, method = exact_method(scene, restitution)
+    return method.solve_in_full(known, duration or scene.method.get("duration"))
+
+
+def exact_method(scene: Scene, restitution: float) -> tuple[Scene, Method]:
+    """By what `exact_solution` solves, and the scene that it solves, a pendulum with as many shapes as are used."""
     if scene.target.bends:
         raise SceneError("target.kind", scene.target.kind, allowed("not-bending"))
     rings = any(body.time_unit is not None for body in (scene.impactor, scene.target))
@@ -67,8 +73,8 @@ def exact_solution(scene: Scene, restitution: float, duration: float | None = No
         scene = replace(scene, impactor=replace(bar, count=known))
     for method in (Waves(), modes, RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
-            return method.solve_in_full(scene, duration)
-    return METHODS[usual_method(scene)].read({}).solve_in_full(scene, duration)
+            return scene, method
+    return scene, METHODS[usual_method(scene)].read({})
 
 
 def modes_beside(scene: Scene, shown: Solution) -> Solution | None:

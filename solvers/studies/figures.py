@@ -25,6 +25,14 @@ def _peak(name: str) -> Callable[[Solution], float | None]:
     return lambda solution: None if (peak := PEAKS[name].find(solution)) is None else abs(peak.value)
 
 
+def _share(part: str) -> Callable[[Solution], float | None]:
+    def of(solution: Solution) -> float | None:
+        initial = solution.energy["initial"]
+        return solution.energy[part] / initial if initial else None
+
+    return of
+
+
 USUAL: dict[str, tuple[str, Callable[[Solution], float | None]]] = {  # unit, and how a solution gives it
     "contacts": ("", lambda solution: len(solution.contacts)),
     "contact_time": ("s", lambda solution: solution.contact_time),
@@ -49,6 +57,8 @@ ENERGIES: dict[str, tuple[str, Callable[[Solution], float | None]]] = {  # at th
         "J",
         lambda solution: solution.energy["target_rigid"] + solution.energy["target_vibration"],
     ),
+    "vibration_share": ("", _share("target_vibration")),
+    "dissipated_share": ("", _share("dissipated")),
 }
 LOOKED_FOR = {f"peak_{name}": (asked.unit, _peak(name)) for name, asked in PEAKS.items()}  # each costs some ms
 FIGURES = USUAL | ENERGIES | LOOKED_FOR
@@ -158,6 +168,8 @@ class Figures(Columns):
     # Where they are asked for: what the bodies hold at the end, and sizes of the largest values, see `Solution.peaks`.
     impactor_energy = _Column()  # [J]
     target_energy = _Column()  # as a whole and in its waves [J]
+    vibration_share = _Column()  # of the energy before, that the target vibrates with
+    dissipated_share = _Column()  # of the energy before
     peak_acceleration = _Column()  # of a rigid impactor [m/s2]
     peak_displacement = _Column()  # of the struck face of what is held [m]
     peak_deflection = _Column()  # of a held beam, anywhere [m]

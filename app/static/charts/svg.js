@@ -3,6 +3,28 @@ import { bokeh } from '../browser/bokeh.js';
 
 const TURN = 2 * Math.PI;
 
+/**
+ * A font as that of Bokeh reads it, which knows weights of full hundreds.
+ * @param {string} font
+ */
+const known = (font) => font.replace(/^\d+(?= )/, (weight) => String(100 * Math.round(Number(weight) / 100)));
+
+/**
+ * The path of a box with round corners.
+ * @param {CanvasPath} c
+ * @param {[left: number, right: number]} across
+ * @param {[top: number, low: number]} down
+ * @param {number} radius
+ */
+function rounded(c, [left, right], [top, low], radius) {
+  c.moveTo(left + radius, top);
+  c.arcTo(right, top, right, low, radius);
+  c.arcTo(right, low, left, low, radius);
+  c.arcTo(left, low, left, top, radius);
+  c.arcTo(left, top, right, top, radius);
+  c.closePath();
+}
+
 /** @typedef {CanvasRenderingContext2D & { get_serialized_svg: () => string }} SvgContext */
 
 /**
@@ -36,11 +58,21 @@ export function svgContext(width, height) {
      * @param {number} [most]
      */
     fillText(words, x, y, most = Infinity) {
+      this.font = known(this.font);
       super.fillText(words, x, y);
       if (this.measureText(words).width <= most) return;
       const last = [...this.get_svg().querySelectorAll('text')].at(-1);
       last?.setAttribute('textLength', String(most));
       last?.setAttribute('lengthAdjust', 'spacingAndGlyphs');
+    }
+    /**
+     * @param {string} words
+     * @param {number} x
+     * @param {number} y
+     */
+    strokeText(words, x, y) {
+      this.font = known(this.font);
+      super.strokeText(words, x, y);
     }
     /**
      * @param {number} x
@@ -50,14 +82,7 @@ export function svgContext(width, height) {
      * @param {number} radius
      */
     roundRect(x, y, wide, high, radius) {
-      const [right, low] = [x + wide, y + high];
-      const round = Math.min(radius, wide / 2, high / 2);
-      this.moveTo(x + round, y);
-      this.arcTo(right, y, right, low, round);
-      this.arcTo(right, low, x, low, round);
-      this.arcTo(x, low, x, y, round);
-      this.arcTo(x, y, right, y, round);
-      this.closePath();
+      rounded(/** @type {any} */ (this), [x, x + wide], [y, y + high], Math.min(radius, wide / 2, high / 2));
     }
   }
   /** @type {any} */

@@ -8,7 +8,7 @@ import { refusalIn } from '../wire/model.js';
 /** @import { Wanted } from './kept.js' */
 
 const PLACE = /^-?\d{1,4}(\.\d{1,9})?$/; // [m]
-const MAP = /^[\w.,:+-]{0,300}$/;
+const MAP = /^[\w.,:+-]{0,600}$/;
 const WORDS = 60; // letters that are searched in the gallery
 const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
 

@@ -42,6 +42,17 @@ export async function copyLink(page) {
 }
 
 /**
+ * A scene and a link as lines above a table, which its readers skip.
+ * @param {string} scene  in TOML, with table `saved` at the end
+ * @param {string} link
+ */
+export const headed = (scene, link) =>
+  `${scene}\nlink = ${JSON.stringify(link)}`
+    .trimStart()
+    .split('\n')
+    .map((line) => `# ${line}`);
+
+/**
  * Histories as comma-separated values, below the scene that they are of, as `impact solve` reads it: readers of tables
  * skip lines that begin with #.
  * @param {string} scene  in TOML, with table `saved` at the end
@@ -49,9 +60,8 @@ export async function copyLink(page) {
  * @param {{ names: string[], values: number[][] }} table
  */
 export function written(scene, link, { names, values }) {
-  const head = `${scene}\nlink = ${JSON.stringify(link)}`.split('\n').map((line) => `# ${line}`);
   const rows = values.map((row) => row.map((value) => value.toExponential(DIGITS)).join(','));
-  return [...head, names.join(','), ...rows, ''].join('\n');
+  return [...headed(scene, link), names.join(','), ...rows, ''].join('\n');
 }
 
 /** @param {Page} page */

@@ -1,5 +1,6 @@
 // The impact that is shown, to take along: its scene file, and the command and the Python lines that solve it again.
-import { download, make } from '../browser/dom.js';
+import { make } from '../browser/dom.js';
+import { partOf } from '../frame/code_part.js';
 import { fileOf } from '../wire/own.js';
 import { text } from '../text/catalogue.js';
 import { Panel } from './panel.js';
@@ -63,34 +64,13 @@ class Code extends Panel {
   constructor(page) {
     super(page, 'code', text('code.button'), text('code.about'), text('code.heading'));
     this.said = make('p', { className: 'help', role: 'status' });
-    this.parts = /** @type {const} */ (['command', 'python', 'scene']).map((name) => this.#part(name));
+    this.parts = /** @type {const} */ (['command', 'python', 'scene']).map((name) =>
+      partOf(name, this.said, () => this.file),
+    );
     this.root.append(this.said, ...this.parts.map(({ root }) => root));
-  }
-  /** @param {'command' | 'python' | 'scene'} name */
-  #part(name) {
-    const code = make('pre', { tabIndex: 0 });
-    const copy = make('button', { type: 'button', className: 'when', textContent: text('code.copy') });
-    copy.ariaLabel = text('code.copy-about', { name });
-    copy.onclick = () => this.#copy(code.textContent ?? '');
-    const head = make('header', {}, make('h3', { textContent: text('code.part', { name }) }), copy);
-    if (name === 'scene') {
-      const save = make('button', { type: 'button', className: 'when', textContent: text('code.save') });
-      save.onclick = () => download(new Blob([code.textContent ?? ''], { type: 'application/toml' }), this.file);
-      head.append(save);
-    }
-    return { name, code, root: make('section', { className: 'code-part' }, head, code) };
   }
   get file() {
     return `${fileOf(this.page.frame.chosen.scene)}.toml`;
-  }
-  /** @param {string} code */
-  async #copy(code) {
-    try {
-      await navigator.clipboard.writeText(code);
-      this.said.textContent = text('code.copied');
-    } catch {
-      this.said.textContent = text('code.not-copied');
-    }
   }
   fill() {
     const { frame, own } = this.page;

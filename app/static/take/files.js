@@ -1,9 +1,10 @@
 // What is seen as a file that the browser saves. All in this folder is fetched when a visitor wants it.
 import { download } from '../browser/dom.js';
 import { Clip, kindOf } from './clip.js';
-import { pictureOf, svgOf } from './picture.js';
+import { pictureOf, scopeOf, svgOf } from './picture.js';
 
 /** @import { Page } from '../page.js' */
+/** @import { Scope } from './picture.js' */
 /** @typedef {(extension: string) => string} Named  what a file is called */
 
 const FINE = 2; // pixels of a picture for one of the page
@@ -11,9 +12,10 @@ const FINE = 2; // pixels of a picture for one of the page
 /**
  * @param {Page} page
  * @param {Named} named
+ * @param {Scope} [scope]  another than what is usual
  */
-export function savePng(page, named) {
-  pictureOf(page, FINE).toBlob((blob) => blob && download(blob, named('png')));
+export function savePng(page, named, scope) {
+  pictureOf(page, FINE, scope).toBlob((blob) => blob && download(blob, named('png')));
 }
 
 /**
@@ -22,16 +24,17 @@ export function savePng(page, named) {
  * @param {Element} part
  */
 export function printed(page, part) {
-  const picture = pictureOf(page, FINE, part);
+  const picture = pictureOf(page, FINE, scopeOf(page, part));
   return { src: picture.toDataURL(), width: picture.width / FINE };
 }
 
 /**
  * @param {Page} page
  * @param {Named} named
+ * @param {Scope} [scope]  another than what is usual
  */
-export function saveSvg(page, named) {
-  download(new Blob([svgOf(page)], { type: 'image/svg+xml' }), named('svg'));
+export function saveSvg(page, named, scope) {
+  download(new Blob([svgOf(page, scope)], { type: 'image/svg+xml' }), named('svg'));
 }
 
 /**

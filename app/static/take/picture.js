@@ -9,18 +9,32 @@ import { make } from '../browser/dom.js';
 /** @typedef {{ canvas: HTMLCanvasElement, box: DOMRect }} Layer */
 
 const PARTS = '.ask, .caption, .stages, .section, .strip, .happens, .lens';
-const SILENT = '.unseen, .tools, [role="tooltip"]';
+const SILENT = '.unseen, .tools, .stepper > button, [role="tooltip"]';
 const EDGE = 16; // pixels around
 const LINE = 20; // below, where it says whose it is
 
 /**
+ * @typedef {object} Scope  what is taken along
+ * @property {Element[]} all  parts of the page
+ * @property {boolean} signed  with room around it, and a word of whose it is
+ * @property {(diverted: boolean) => void} redraw  all its canvases
+ * @property {(c: Context) => void} [more]  what is neither words nor on a canvas
+ */
+
+/**
  * @param {Page} page
  * @param {Element} [one]  of its parts, alone: with nothing around it, and no word of whose it is
+ * @returns {Scope}
  */
-function partsOf({ root }, one) {
-  const all = one ? [one] : [...root.querySelectorAll(PARTS)];
+export const scopeOf = (page, one) => ({
+  ...{ all: one ? [one] : [...page.root.querySelectorAll(PARTS)], signed: !one },
+  redraw: () => page.redraw(),
+});
+
+/** @param {Scope} scope */
+function partsOf({ all, more, redraw, signed }) {
   const parts = all.filter((part) => part.checkVisibility() && part.clientHeight);
-  const [edge, line] = one ? [0, 0] : [EDGE, LINE];
+  const [edge, line] = signed ? [EDGE, LINE] : [0, 0];
   const boxes = parts.map((part) => part.getBoundingClientRect());
   const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];
   const width = Math.max(...boxes.map(({ right }) => right)) - left + 2 * edge;
@@ -28,7 +42,7 @@ function partsOf({ root }, one) {
   const canvases = parts.flatMap(canvasesIn);
   const layers = canvases.map((canvas) => ({ canvas, box: canvas.getBoundingClientRect() }));
   const seen = layers.filter(({ canvas, box }) => canvas.checkVisibility() && box.width && box.height);
-  return { parts, layers: seen, left: left - edge, top: top - edge, width, height, signed: !one };
+  return { parts, layers: seen, left: left - edge, top: top - edge, width, height, more, redraw, signed };
 }
 
 /**
@@ -51,6 +65,42 @@ function plain(color) {
 }
 
 /**
+ * Letters as those of an element.
+ * @param {Context} c
+ * @param {Element} around
+ */
+function letter(c, around) {
+  const { color, fontFamily, fontSize, fontWeight } = getComputedStyle(around);
+  c.font = `${100 * Math.round(Number(fontWeight) / 100)} ${fontSize} ${fontFamily}`;
+  c.fillStyle = plain(color);
+}
+
+/**
+ * Where words are cut off that have no room.
+ * @param {Element} around
+ */
+const endOf = (around) =>
+  getComputedStyle(around).textOverflow === 'ellipsis' ? around.getBoundingClientRect().right + 1 : Infinity;
+
+/**
+ * What is chosen or typed in a field, which is no text of the page.
+ * @param {Context} c
+ * @param {HTMLInputElement | HTMLSelectElement} field
+ */
+function writeField(c, field) {
+  if (!field.checkVisibility() || field.closest(SILENT) || ['range', 'checkbox', 'radio'].includes(field.type)) return;
+  const box = field.getBoundingClientRect();
+  const words = ('selectedOptions' in field ? field.selectedOptions[0]?.textContent : field.value) ?? '';
+  letter(c, field);
+  const { paddingLeft, paddingRight, textAlign } = getComputedStyle(field);
+  const { fontBoundingBoxAscent: up, fontBoundingBoxDescent: down, width } = c.measureText(words);
+  const spare = box.width - width;
+  const right = spare - (parseFloat(paddingRight) || 0);
+  const from = { right, end: right, center: spare / 2 }[textAlign] ?? (parseFloat(paddingLeft) || 0);
+  c.fillText(words, box.left + from, box.top + 0.5 * (box.height + up - down));
+}
+
+/**
  * The words of a part of the page, each where it stands, also those of figures.
  * @param {Context} c
  * @param {Element | ShadowRoot} part
@@ -58,23 +108,31 @@ function plain(color) {
  */
 function write(c, part, { bottom, top }) {
   for (const { shadowRoot } of part.querySelectorAll('*')) if (shadowRoot) write(c, shadowRoot, { bottom, top });
-  const texts = document.createTreeWalker(part, NodeFilter.SHOW_TEXT);
+  const texts = document.createTreeWalker(part, NodeFilter.SHOW_TEXT + NodeFilter.SHOW_ELEMENT);
   const range = document.createRange();
   c.textAlign = 'left';
   c.textBaseline = 'alphabetic';
   for (let node = texts.nextNode(); node; node = texts.nextNode()) {
     const { parentElement: around, textContent } = node;
-    if (!around?.checkVisibility() || around.closest(SILENT)) continue;
-    const { color, fontFamily, fontSize, fontWeight } = getComputedStyle(around);
-    c.font = `${100 * Math.round(Number(fontWeight) / 100)} ${fontSize} ${fontFamily}`;
-    c.fillStyle = plain(color);
+    if (node instanceof Element) {
+      if (node.matches('input, select')) writeField(c, /** @type {HTMLInputElement} */ (node));
+      continue;
+    }
+    if (!around?.checkVisibility() || around.closest(SILENT) || around.closest('option')) continue;
+    letter(c, around);
+    const end = endOf(around);
     for (const { 0: word, index } of (textContent ?? '').matchAll(/\S+/g)) {
       range.setStart(node, index);
       range.setEnd(node, index + word.length);
       const box = range.getBoundingClientRect();
       if (!box.width || box.top < top - 1 || box.bottom > bottom + 1) continue; // it is scrolled away
       const { fontBoundingBoxAscent: up, fontBoundingBoxDescent: down } = c.measureText(word);
-      c.fillText(word, box.left, box.top + 0.5 * (box.height + up - down));
+      const base = box.top + 0.5 * (box.height + up - down);
+      if (box.right > end) {
+        c.fillText('…', Math.min(box.left, end - c.measureText('…').width), base);
+        break;
+      }
+      c.fillText(word, box.left, base);
     }
   }
 }
@@ -86,12 +144,13 @@ function write(c, part, { bottom, top }) {
  * @param {ReturnType<typeof partsOf>} seen
  * @param {(layer: Layer) => void} draw  what a canvas shows, in its place
  */
-function compose(c, page, { height, layers, left, parts, signed, top, width }, draw) {
+function compose(c, page, { height, layers, left, more, parts, signed, top, width }, draw) {
   c.fillStyle = COLORS.panel;
   c.fillRect(0, 0, width, height);
   c.save();
   c.translate(-left, -top);
   for (const layer of layers) draw(layer);
+  more?.(c);
   for (const part of parts) write(c, part, part.getBoundingClientRect());
   c.restore();
   if (!signed) return;
@@ -105,19 +164,19 @@ function compose(c, page, { height, layers, left, parts, signed, top, width }, d
  * Every canvas drawn once more, by something else.
  * @template {Context} C
  * @param {Page} page
- * @param {Layer[]} layers
+ * @param {ReturnType<typeof partsOf>} seen
  * @param {(box: DOMRect) => C} made
  */
-function redrawn(page, layers, made) {
+function redrawn(page, { layers, redraw }, made) {
   const here = page.root.getRootNode();
   const own = layers.filter(({ canvas }) => canvas.getRootNode() === here); // a figure is drawn by others
   const drawn = new Map(own.map(({ box, canvas }) => [canvas, made(box)]));
   try {
     for (const [canvas, c] of drawn) divert(canvas, c);
-    page.redraw();
+    redraw(true);
   } finally {
     for (const canvas of drawn.keys()) divert(canvas, null);
-    page.redraw();
+    redraw(false);
   }
   return drawn;
 }
@@ -128,7 +187,7 @@ function redrawn(page, layers, made) {
  * @param {number} fine  pixels of the canvas for one of the page
  * @param {{ width: number, height: number }} [seen]
  */
-export function canvasOf(page, fine, { height, width } = partsOf(page)) {
+export function canvasOf(page, fine, { height, width } = partsOf(scopeOf(page))) {
   const even = (/** @type {number} */ size) => 2 * Math.ceil((fine * size) / 2); // as films must be
   const canvas = make('canvas', { width: even(width), height: even(height) });
   const c = contextOf(canvas);
@@ -148,18 +207,18 @@ export function copy(page, c) {
   c.fillRect(0, 0, c.canvas.width, c.canvas.height); // the page may have grown narrower
   c.restore();
   const draw = (/** @type {Layer} */ { box, canvas }) => c.drawImage(canvas, box.left, box.top, box.width, box.height);
-  compose(c, page, partsOf(page), draw);
+  compose(c, page, partsOf(scopeOf(page)), draw);
 }
 
 /**
  * What is seen just now, drawn with more pixels than the page has.
  * @param {Page} page
  * @param {number} fine
- * @param {Element} [one]  of its parts, alone
+ * @param {Scope} [scope]
  */
-export function pictureOf(page, fine, one) {
-  const seen = partsOf(page, one);
-  const drawn = redrawn(page, seen.layers, ({ height, width }) => {
+export function pictureOf(page, fine, scope = scopeOf(page)) {
+  const seen = partsOf(scope);
+  const drawn = redrawn(page, seen, ({ height, width }) => {
     const c = contextOf(make('canvas', { width: fine * width, height: fine * height }));
     c.scale(fine, fine);
     return c;
@@ -174,10 +233,11 @@ export function pictureOf(page, fine, one) {
 /**
  * What is seen just now as SVG.
  * @param {Page} page
+ * @param {Scope} [scope]
  */
-export function svgOf(page) {
-  const seen = partsOf(page);
-  const drawn = redrawn(page, seen.layers, ({ height, width }) => svgContext(width, height));
+export function svgOf(page, scope = scopeOf(page)) {
+  const seen = partsOf(scope);
+  const drawn = redrawn(page, seen, ({ height, width }) => svgContext(width, height));
   const c = svgContext(seen.width, seen.height);
   compose(c, page, seen, ({ box, canvas }) => {
     const image = drawn.get(canvas)?.canvas; // which is itself

@@ -1,7 +1,7 @@
 // What of a scene can be varied on the map: choices that are numbers, and values of bodies.
 import { family, text } from '../text/catalogue.js';
 import { LABELS } from '../text/words.js';
-import { isCoordinate, placeOf, unitOf } from '../wire/body_values.js';
+import { isCoordinate, placeOf, siOf, unitOf } from '../wire/body_values.js';
 
 /** @import { Frame, PartRecord, ValueRecord } from '../messages.js' */
 /** @import { Held } from '../wire/held.js' */
@@ -14,6 +14,7 @@ import { isCoordinate, placeOf, unitOf } from '../wire/body_values.js';
  * @property {string} title  as the slider or the field has it
  * @property {string} unit  in which it is shown, or nothing
  * @property {number} factor  SI units in one of these
+ * @property {string} si  the SI unit, or nothing
  * @property {number} low
  * @property {number} high
  * @property {boolean} log  whether the scale is logarithmic
@@ -79,6 +80,7 @@ function choiceAxis(name, bounds, ends = [bounds.low, bounds.high]) {
     title,
     unit,
     factor: 1,
+    si: unit,
     low,
     high,
     log: isLog({ low, high }),
@@ -106,8 +108,8 @@ function bodyAxes(part, parts) {
     if (!ends) return [];
     const { sign, factor } = unitOf(value.quantity, Number(value.own ?? value.value));
     const name = `${part.key}.${value.quantity}`;
-    const title = NAMES[value.quantity];
-    return [{ name, title, unit: sign, factor, ...ends, log: isLog(ends), whole: false, body: true, of }];
+    const units = { unit: sign, factor, si: siOf(value.quantity) };
+    return [{ name, title: NAMES[value.quantity], ...units, ...ends, log: isLog(ends), whole: false, body: true, of }];
   });
 }
 

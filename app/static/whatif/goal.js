@@ -91,7 +91,7 @@ export class Goal {
     return unitFor(result, domain ?? [0, 0]);
   }
   /** What gives way where nobody has chosen it: a choice that is no axis and acts at once, or else the axis upwards. */
-  get #usual() {
+  get usual() {
     const { axes, named, points } = this.whatif;
     const free = axes.filter(({ body, name, whole }) => !body && !whole && name !== named.x && name !== named.y);
     return free.find(({ name }) => points.covers(name))?.name ?? named.y;
@@ -99,7 +99,7 @@ export class Goal {
   /** What there is changed: seek again, where anything that it hangs on has. */
   follow() {
     const { page, result } = this.whatif;
-    if (!this.axis) this.gives = this.#usual;
+    if (!this.axis) this.gives = this.usual;
     const { axis, wanted } = this;
     this.root.hidden = Boolean(shownOf(result).whole) || !axis;
     if (this.root.hidden || wanted === null || !axis) {

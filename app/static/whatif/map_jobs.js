@@ -10,7 +10,7 @@ import { failedOf } from './points.js';
 /** @import { WhatIf } from './whatif.js' */
 
 const SPENT = { own: { held: 5, free: 9 }, served: { held: 200, free: 400 } }; // ms that a job takes
-const TOLERANCE = 1e-5; // of a step through a contact law: colours need no more, and it is some four times as quick
+export const TOLERANCE = 1e-5; // of a step through a contact law: colours need no more, and it is four times as quick
 const [FEW, MANY] = [4, 256]; // impacts in a job
 const LEFT = 16; // impacts in a job of those that the browser could not find
 

@@ -16,6 +16,7 @@ const SENTENCES = {
   tolerance: () => text('whatif.sentence-tolerance', SLOTS),
 };
 const NAMES = /** @type {Mode[]} */ (Object.keys(SENTENCES));
+const VIEW = /^(?:(\w+):)?(.*)$/s; // of a link, and the rest of it
 const LABELS = { map: text('whatif.map'), curves: text('whatif.curves'), tolerance: text('whatif.tolerance') };
 
 export class Modes {
@@ -56,10 +57,10 @@ export class Modes {
    * @param {string} said
    */
   follow(said) {
-    const [first, rest] = said.split(':');
+    const [, first = '', rest] = /** @type {RegExpExecArray} */ (VIEW.exec(said));
     const mode = NAMES.find((name) => name === first) ?? 'map';
     if (mode !== this.mode) this.turn(mode);
-    return rest ?? (first === mode ? '' : first);
+    return rest === mode ? '' : rest;
   }
   /** Another scene: nothing that was found is of it. */
   forget() {

@@ -47,6 +47,7 @@ export class Plane {
   raster = new Raster();
   plot = { x: 0, y: 0, w: 1, h: 1 };
   narrow = false;
+  fine = 1; // times as many pixels, of what is taken along
   /** @type {Map<number, number[]>} */ lines = new Map(); // contours
   /** @type {number[]} */ goal = []; // that of the value that is wanted
   /** @type {[x: number, y: number, about: number][]} */ taken = []; // places that words have
@@ -82,7 +83,7 @@ export class Plane {
     if (!c) return;
     const { plot, raster } = this;
     this.domain = domain;
-    raster.draw(view, moving ? STEPS.moving : STEPS.still, colouring(paletteOf(result), domain));
+    raster.draw(view, moving ? STEPS.moving : STEPS.still / this.fine, colouring(paletteOf(result), domain));
     c.save();
     c.beginPath();
     c.roundRect(plot.x, plot.y, plot.w, plot.h, ROUND);

@@ -16,8 +16,10 @@ import { Served } from './server.js';
  * @property {number} [tolerance]  of a step through a contact law; 0: that of the page's own answers
  * @property {boolean} [wished]  whether somebody waits for it
  * @property {boolean} [apart]  whether it is done without what the browser has no room for
- * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>) => void} done
+ * @property {boolean} [file]  the scene file of the first impact is wanted, and by which keys the others differ from it
+ * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>, file?: SceneFile) => void} done
  */
+/** @typedef {{ scene: string, keys: Record<string, (number | null)[]> | null }} SceneFile */
 /**
  * @typedef {object} Source
  * @property {() => Promise<boolean>} prepare
@@ -37,6 +39,7 @@ export class Points {
   /** @type {Frame | null} */ base = null; // that its impacts are made from
   spent = 0.3; // ms for an impact
   solved = 0;
+  /** @type {Job[]} */ files = []; // that the server is asked for
   /** @type {Job[]} */ queue = []; // that the server is asked while the browser finds the others
   ready = false;
 
@@ -48,9 +51,8 @@ export class Points {
   constructor(page, next, rest) {
     this.page = page;
     /** @type {Source} */ this.own = new Pool(() => (this.source === this.own ? this.#counted(next()) : null));
-    /** @type {Source} */ this.served = new Served(page, () =>
-      this.source === this.served ? this.#counted(next()) : (this.queue.shift() ?? rest()),
-    );
+    const others = () => (this.source === this.served ? this.#counted(next()) : (this.queue.shift() ?? rest()));
+    /** @type {Source} */ this.served = new Served(page, () => this.files.shift() ?? others());
     /** @type {Source[]} */ this.sources = [];
   }
   async prepare() {
@@ -164,6 +166,23 @@ export class Points {
     const solved = base && ('exact' in base ? base.exact : 'main' in base ? base.main : null);
     return solved ? byOf(called(solved), errorsOf(solved)) : [];
   }
+  /**
+   * Have the server write a scene file.
+   * @param {Omit<Job, 'done' | 'file'>} job
+   * @returns {Promise<SceneFile | string>}  or why there is none
+   */
+  file(job) {
+    return new Promise((take) => {
+      const { base } = this;
+      const there = base && this.sources.includes(this.served) && this.served.covers(base, job.names);
+      if (!there || this.page.connection?.lost) {
+        take('');
+        return;
+      }
+      this.files.push({ ...job, file: true, done: (_, __, why, file) => take(file ?? why?.get(0) ?? '') });
+      this.served.feed();
+    });
+  }
   /** @param {string} name  Whether it can vary in what is asked for. */
   covers(name) {
     return Boolean(this.base && this.source?.covers(this.base, [name]));
@@ -176,6 +195,7 @@ export class Points {
   leave() {
     for (const each of this.sources) each.leave();
     this.source = this.base = null;
+    for (const { done } of this.files.splice(0)) done(null, 0);
     this.#drop();
     this.sources = [];
   }

@@ -26,7 +26,7 @@ export class Ranges {
    */
   follow(axis, value) {
     const at = placeOf(axis, value);
-    if (this.shown.has(axis.name) && at !== this.places.get(axis.name)) {
+    if (this.shown.has(axis.name) && at !== (this.places.get(axis.name) ?? at)) {
       const [from, to] = this.of(axis, value);
       const beyond = BEYOND * (to - from);
       const low = at < from ? Math.max(at - beyond, 0) : from;

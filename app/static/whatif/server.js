@@ -24,6 +24,8 @@ const TICK = 250; // ms between looks whether the server is still there
  * @property {(number | null)[][]} [rows]
  * @property {Record<string, any>} [why]
  * @property {any} [error]
+ * @property {string} [scene]  the file of the first row
+ * @property {Record<string, (number | null)[]> | null} [keys]  of scene files, by which the others differ from it
  */
 
 export class Served {
@@ -108,7 +110,7 @@ export class Served {
     if (job.chosen.scene !== frame.chosen.scene) return this.leave(); // another scene has been chosen meanwhile
     this.id += 1;
     this.asked = performance.now();
-    let rows = Math.min(this.atOnce, total - this.count);
+    let rows = job.file ? total : Math.min(this.atOnce, total - this.count);
     let text = this.#question(job, rows);
     while (text.length > LONGEST && rows > 1) {
       rows = Math.ceil(rows / 2);
@@ -121,7 +123,7 @@ export class Served {
    * @param {Job} job
    * @param {number} rows
    */
-  #question({ chosen, names, rows: all }, rows) {
+  #question({ chosen, file, names, rows: all }, rows) {
     const { count, id, page, stress } = this;
     const width = names.length;
     const list = Array.from({ length: rows }, (_, k) => [
@@ -129,7 +131,7 @@ export class Served {
     ]);
     const others = Object.keys(page.model.spec).filter((name) => name !== 'scene' && !names.includes(name));
     const set = Object.fromEntries(others.flatMap((name) => (name in chosen ? [[name, chosen[name]]] : [])));
-    return JSON.stringify({ id, names, rows: list, set, stress });
+    return JSON.stringify({ id, names, rows: list, set, stress, file });
   }
   #take() {
     const { frame, job, page } = this;
@@ -139,7 +141,8 @@ export class Served {
     if (answer.id !== this.id) return; // of what is no longer asked
     if (answer.error) return this.#refuse(said(answer.error));
     if (answer.chosen.scene !== frame.chosen.scene) return this.leave();
-    const { rows = [], why = {} } = answer;
+    const { keys = null, rows = [], scene, why = {} } = answer;
+    if (job.file && scene) return this.#end(this.found, { keys, scene });
     if (!rows.length) return this.#refuse('');
     for (const [k, row] of rows.entries()) {
       const start = (this.count + k) * COLUMNS.length;
@@ -161,12 +164,15 @@ export class Served {
     }
     this.#end(this.found);
   }
-  /** @param {Float64Array | null} found */
-  #end(found) {
+  /**
+   * @param {Float64Array | null} found
+   * @param {import('./points.js').SceneFile} [file]
+   */
+  #end(found, file) {
     const { job, why } = this;
     clearInterval(this.watch);
     this.job = null;
-    job?.done(found, performance.now() - this.begun, why);
+    job?.done(found, performance.now() - this.begun, why, file);
     if (found) this.feed();
   }
 }

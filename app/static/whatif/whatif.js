@@ -4,6 +4,7 @@ import { make, write } from '../browser/dom.js';
 import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
+import { Along } from './along.js';
 import { axesOf, usualFirst, valueIn } from './axes.js';
 import { Designs } from './designs.js';
 import { Gains } from './gains.js';
@@ -18,6 +19,7 @@ import { placeOf } from './places.js';
 import { Points } from './points.js';
 import { Ranges } from './ranges.js';
 import { NAMES, shownOf, valueOf } from './results.js';
+import { follow, saidOf } from './view_link.js';
 import { Sentence } from './sentence.js';
 import { figuresOfWhole } from '../wasm/columns.js';
 import { Tiles, domainOf } from './tiles.js';
@@ -77,14 +79,9 @@ export class WhatIf {
     const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
-    this.head = make(
-      'div',
-      { className: 'whatif-head' },
-      this.sentence.root,
-      this.modes.segments.root,
-      this.designs.keep,
-      this.back,
-    );
+    this.along = new Along(this);
+    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root);
+    this.head.append(this.designs.keep, this.along.root, this.back);
     this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root, this.designs.root);
     this.foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
@@ -119,22 +116,9 @@ export class WhatIf {
     this.page.compare.reach();
     for (const part of this.parts) part.remove();
   }
-  /** What a link says of it: the result, both axes, and what is wanted. */
+  /** What a link says of it. */
   get said() {
-    const wanted = this.wanted[this.result];
-    return (
-      this.modes.said + [this.result, this.named.x, this.named.y, ...(wanted === undefined ? [] : [wanted])].join(',')
-    );
-  }
-  /** As a link says. */
-  #follow() {
-    const [result, x, y, wanted] = this.asked.split(',');
-    this.asked = '';
-    const known = NAMES.find((name) => name === result);
-    if (known) this.result = known;
-    if (this.axis(x)) this.named.x = x;
-    if (this.axis(y) && y !== this.named.x) this.named.y = y;
-    if (wanted && Number.isFinite(Number(wanted))) this.wanted[this.result] = Number(wanted);
+    return saidOf(this);
   }
   leave() {
     this.open = false;
@@ -186,7 +170,8 @@ export class WhatIf {
       this.wanted = {};
       this.named = { x: '', y: '' };
     }
-    if (this.asked) this.#follow();
+    if (this.asked) follow(this, this.asked);
+    this.asked = '';
     this.#settle();
     this.schedule();
   }
@@ -267,6 +252,7 @@ export class WhatIf {
     this.goal.follow();
     this.goal.draw();
     this.gains.follow();
+    this.along.follow();
   }
   /**
    * What of the lattice is seen, where that is not known already.

@@ -39,13 +39,16 @@ export const textOf = (entries) => entries.map((entry) => entry.join('=')).join(
 /** @param {string} key */
 export const isBodyKey = (key) => PART.test(key);
 
+/** @param {string} quantity */
+export const siOf = (quantity) => SI[quantity] ?? '';
+
 /**
  * The unit in which a quantity of this size is shown.
  * @param {string} quantity
  * @param {number} size
  * @returns {Unit}
  */
-export const unitOf = (quantity, size) => shownUnit(SI[quantity] ?? '', size || (isCoordinate(quantity) ? 1e-3 : 0));
+export const unitOf = (quantity, size) => shownUnit(siOf(quantity), size || (isCoordinate(quantity) ? 1e-3 : 0));
 
 /**
  * A number for a field, in this unit.

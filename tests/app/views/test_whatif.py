@@ -2,10 +2,12 @@
 
 import json
 import math
+import tomllib
 
 import numpy as np
 import pytest
 
+import solvers
 from app.choices.body_value import with_body_value
 from app.choices.choices import Choices
 from app.choices.request import Request
@@ -278,3 +280,57 @@ def test_a_question_is_bounded_text_that_no_address_and_no_panel_has():
 def test_the_number_of_a_question_stands_first():
     assert id_of(EXAMPLE) == 0 and id_of('{"id":12,"names"') == 12
     assert id_of('{"names": [], "id": 1}') is None and id_of('{"id": 1234567890, ') is None and id_of("") is None
+
+
+# --- the scene file, and the keys that axes stand for -----------------------------------------------------------------
+
+
+def varied(scene, names, rows, **chosen):
+    answer = found(scene, names, rows, chosen=chosen, file=True)
+    return answer["scene"], answer["keys"]
+
+
+@pytest.mark.parametrize(
+    ("scene", "names", "rows", "keys"),
+    [
+        (
+            "fixed-rod",
+            ["mass_ratio", "speed"],
+            [[1.0, 1.0], [2.0, 1.0], [1.0, 3.0]],
+            ["impactor.mass", "impactor.velocity"],
+        ),
+        ("fixed-rod", ["target.length", "speed"], [[0.3, 1.0], [0.2, 1.0]], ["target.length"]),
+        (
+            "hammer-on-cantilever",
+            ["slenderness", "place"],
+            [[10.0, 1.0], [20.0, 1.0]],
+            ["impactor.mass", "target.length"],
+        ),
+        ("hammer-on-cantilever", ["modes", "speed"], [[20.0, 1.0], [12.0, 1.0]], ["method.modes"]),
+        ("four-bar", ["speed", "mass_ratio"], [[1.0, 1.0], [2.0, 1.0]], ["impactor.velocity"]),
+    ],
+)
+def test_axes_are_keys_of_the_scene_file(scene, names, rows, keys):
+    text, values = varied(scene, names, rows)
+    assert sorted(values) == keys
+    read = solvers.Scene.from_table(tomllib.loads(text))
+    figures = [point(found(scene, names, rows), row) for row in range(len(rows))]
+    for number, each in enumerate(figures[1:]):
+        solution = solvers.solve(read.replace({key: column[number] for key, column in values.items()}))
+        close(each["peak_force"], solution.peak_force)
+        close(each["contact_time"], solution.contact_time)
+    close(figures[0]["peak_force"], solvers.solve(read).peak_force)
+
+
+def test_what_is_no_value_of_a_scene_file_has_no_key():
+    assert varied("brick-on-floor", ["speed", "friction"], [[1.0, 0.2], [2.0, 0.2]])[1] is None
+    law = {"law": "power"}
+    _, keys = varied("fixed-rod", ["exponent", "speed"], [[1.5, 1.0], [2.0, 1.0]], **law)
+    assert sorted(keys) == ["contact.exponent", "contact.stiffness"]
+
+
+def test_refused_points_have_no_values_and_a_refused_scene_is_said():
+    place = ["place", "speed"]
+    _, keys = varied("hammer-on-cantilever", place, [[1.0, 1.0], [0.5, 1.0], [0.0, 1.0]])
+    assert keys == {"target.at": [0.5, None]}
+    assert found("hammer-on-cantilever", place, [[0.0, 1.0]], file=True)["error"]
