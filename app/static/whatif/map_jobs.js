@@ -104,7 +104,7 @@ export class MapJobs {
       for (const k of failedOf(found)) {
         lattice.why.set(keys[k], why?.get(k) ?? text('whatif.refused'));
         if (!points.serves) continue;
-        lattice.why.set(keys[k], text('whatif.left'));
+        lattice.why.set(keys[k], text('whatif.for-server'));
         lattice.left.set(keys[k], view.row(...some[k]));
       }
       points.feed();
