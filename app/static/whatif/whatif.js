@@ -76,7 +76,7 @@ export class WhatIf {
     this.status = make('p', { className: 'whatif-status', role: 'status' });
     this.words = make('p', { className: 'whatif-said', ariaLive: 'polite' });
     this.modes = new Modes(this);
-    const back = { type: 'button', className: 'whole', textContent: text('whatif.back'), onclick: close };
+    const back = { type: 'button', className: 'whole whatif-back', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
     this.along = new Along(this);
