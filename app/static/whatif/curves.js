@@ -4,6 +4,7 @@ import { cleared, scale } from '../charts/canvas.js';
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { CurveJobs } from './curve_jobs.js';
+import { Fingers } from './fingers.js';
 import { COLOR, disc, mark, pill, word } from './ink.js';
 import { longOf, marksOf, placeOf, roundAt, valueAt, writtenOn } from './places.js';
 import { plain, shownOf, titleOf, unitFor, written } from './results.js';
@@ -46,11 +47,11 @@ export class Curves {
     this.root = make('div', { className: 'whatif-curves' }, this.canvas, this.names, this.said);
     const { canvas } = this;
     canvas.setAttribute('aria-describedby', this.said.id);
-    canvas.onpointerdown = (event) => this.#take(event);
-    canvas.onpointermove = (event) => {
-      if (this.dragged) this.#go(event);
-    };
-    canvas.onpointerup = canvas.onpointercancel = () => this.#leave();
+    this.fingers = new Fingers(canvas, {
+      take: (event) => this.#take(event),
+      move: (event) => this.dragged && this.#go(event),
+      leave: () => this.#leave(),
+    });
     canvas.onkeydown = (event) => this.#key(event);
   }
   /** Measure its room; whether there is any. */
