@@ -33,6 +33,7 @@ export class Hands {
       grips: (event) => ![null, 'map'].includes(whatif.view && whatif.plane.under(...this.#where(event))),
       pinch: (from, to) => this.#pinch(from, to),
     });
+    over.onpointerleave = () => this.whatif.borders.look(null);
     over.onkeydown = (event) => this.#key(event);
     over.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
     over.ondblclick = () => this.all();
@@ -60,7 +61,7 @@ export class Hands {
     if (!this.drag) {
       const under = this.whatif.view && plane.under(px, py);
       plane.over.style.cursor = under ? CURSORS[under] : '';
-      this.whatif.look(under === 'map' ? plane.share(px, py) : null);
+      this.whatif.borders.look(under === 'map' ? [px, py] : null);
       return;
     }
     event.preventDefault();

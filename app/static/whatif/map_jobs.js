@@ -25,7 +25,7 @@ export class MapJobs {
     this.whatif = whatif;
   }
   get idle() {
-    const others = this.whatif.modes.shown?.jobs.idle ?? true;
+    const others = (this.whatif.modes.shown?.jobs ?? this.whatif.borders.across).idle;
     const found = !this.view || this.halves?.length === 0; // also where contacts change
     return others && found && !this.under && !this.wanted.length;
   }
@@ -49,9 +49,9 @@ export class MapJobs {
   /** @returns {Job | null} */
   next() {
     const { view } = this;
-    const { gains, goal, modes } = this.whatif;
+    const { borders, gains, goal, modes } = this.whatif;
     if (!view && !modes.shown) return null;
-    const first = this.#own() ?? goal.pulling.next() ?? goal.seek.next();
+    const first = this.#own() ?? goal.pulling.next() ?? goal.seek.next() ?? borders.near.next(this.many);
     if (first) return first;
     if (!view) return modes.next(this.many) ?? gains.next();
     const gain = this.coarse ? null : gains.next();
@@ -61,7 +61,7 @@ export class MapJobs {
       this.wanted = [view.mend()].filter(({ length }) => length);
       this.halves = view.halves();
     }
-    return this.wanted.length ? this.#points(view) : this.#edges(view);
+    return this.wanted.length ? this.#points(view) : (this.#edges(view) ?? borders.across.next(this.many));
   }
   /**
    * The scene itself, where the page's answer does not say all that is shown.
