@@ -48,11 +48,20 @@ export class Door {
   }
   close() {
     if (!this.opened) return;
+    const { opening, root } = this.page;
     this.opened = false;
     this.whatif?.leave();
+    opening.lead();
     this.button.focus({ preventScroll: true });
-    this.page.root.scrollTop = this.scrolled;
+    root.scrollTop = this.scrolled;
     this.page.history.later();
+  }
+  /**
+   * Sliders that are in view.
+   * @param {string[]} names  without the map
+   */
+  leads(names) {
+    return (this.opened && this.whatif?.gains.leads(names)) || names;
   }
   /** What a link says of it. */
   get said() {

@@ -4,7 +4,7 @@ import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { CurveJobs, countOf } from './curve_jobs.js';
 import { MANY, counted } from './lattice.js';
-import { longOf, placeOf, roundAt, sureOf, valueAt, writtenOn } from './places.js';
+import { longOf, placeOf, roundAt, sureOf, writtenOn } from './places.js';
 import { nameOf } from './sentence.js';
 
 /** @import { Axis } from './axes.js' */
@@ -126,16 +126,13 @@ export class Borders {
     const { whatif } = this;
     const { shown } = this.across;
     if (!shown?.whole || shown.asked.key !== this.key) return '';
-    const { axis, from, to } = shown.asked;
+    const { axis } = shown.asked;
     const here = placeOf(axis, whatif.value(axis));
     const far = (/** @type {Change} */ change) => Math.abs(middleOf(change) - here);
     const [change] = (shown.changes ?? []).toSorted((a, b) => far(a) - far(b));
     const on = (/** @type {string} */ words) => `${words} ${axis.unit}`.trim();
     const said = { axis: nameOf(axis) };
-    if (!change) {
-      const [low, high] = [from, to].map((place) => on(writtenOn(axis, valueAt(axis, place))));
-      return text('whatif.no-border', { ...said, low, high });
-    }
+    if (!change) return text('whatif.no-border', said);
     const [before, after] = pairOf(change);
     const below = middleOf(change) < here;
     const count = below ? before : after;
