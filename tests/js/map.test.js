@@ -1,8 +1,9 @@
 // The map without a browser: places along its axes, its lattice, where contacts change, and a value that is wanted.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { changeAt } from '../../app/static/whatif/borders.js';
 import { Lattice, MANY, counted, halve } from '../../app/static/whatif/lattice.js';
-import { longOf, marksOf, placeOf, roundAt, usualRange, valueAt } from '../../app/static/whatif/places.js';
+import { longOf, marksOf, placeOf, roundAt, sureOf, usualRange, valueAt } from '../../app/static/whatif/places.js';
 import { PLACE, WIDTH } from '../../app/static/whatif/results.js';
 import { Seek, nearestTo } from '../../app/static/whatif/seek.js';
 import { contoursOf, levelsOf } from '../../app/static/whatif/contours.js';
@@ -199,4 +200,27 @@ test('where nothing can be found a search ends, and the newest wish is what is d
   seek.ask(null);
   lost.done(figures(rowsOf(lost), flat), 1);
   assert.ok(seek.idle && done.length === 2, 'nobody wants it any more');
+});
+
+test('a value between two places has no more digits than are sure', () => {
+  const wide = { low: 0.01, high: 100, log: true, whole: false, factor: 1 };
+  const at = (value) => placeOf(wide, value);
+  assert.equal(sureOf(wide, at(1.01065), at(1.01075)), '1.011');
+  assert.equal(sureOf(wide, at(1.0104), at(1.0106)), '1.01');
+  assert.equal(sureOf(wide, at(0.94), at(1.06)), '0.94–1.06');
+  assert.equal(sureOf({ ...wide, factor: 1e-3 }, at(0.0250001), at(0.0250002)), '25');
+});
+
+test('a place near a line is told which contacts change there, and along which axis', () => {
+  const view = { nx: 3, contacts: [1, 2, 2, 1, 1, 2, 1, 1, 1], size: [200, 200], spot: (i, j) => [i / 2, j / 2] };
+  const torn = new Map([
+    [0, { found: true, ends: [[0.5, 0], [1, 0.5]] }], // prettier-ignore
+    [1, { found: true, ends: [[0, 0.5], [0.5, 1]] }], // prettier-ignore
+  ]);
+  assert.equal(changeAt(view, torn, [150, 60]), null);
+  const below = changeAt(view, torn, [55, 197]);
+  assert.deepEqual([below.way, below.pair], [0, [1, 2]]);
+  assert.ok(Math.hypot(below.share[0] * 200 - 54, (1 - below.share[1]) * 200 - 196) < 1.5);
+  const beside = changeAt(view, torn, [98, 149]);
+  assert.deepEqual([beside.way, beside.pair], [1, [2, 1]]);
 });

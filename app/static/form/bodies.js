@@ -6,6 +6,7 @@ import { spoken } from '../text/typeset.js';
 import { inUnit, isCoordinate, placeOf, read, unitOf, unitsFor, written } from '../wire/body_values.js';
 import { make } from '../browser/dom.js';
 import { commaOf, numberInput, refusalAt } from './number_field.js';
+import { slides } from './swipe.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Frame, PartRecord, ValueRecord } from '../messages.js' */
@@ -322,11 +323,11 @@ function sliderOf(scale, send) {
   const root = make('input', { type: 'range', min: 0, max: STEPS, step: 1 });
   let held = false;
   let share = 0.5;
-  root.oninput = () => {
+  slides(root, () => {
     held = true;
     const value = scale.at(Number(root.value) / STEPS);
     send(Number(root.value) === STEPS / 2 ? value : Number(value.toPrecision(3)));
-  };
+  });
   root.onchange = () => {
     held = false;
   };

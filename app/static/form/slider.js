@@ -3,6 +3,7 @@ import { family, text } from '../text/catalogue.js';
 import { pretty } from '../text/format.js';
 import { make } from '../browser/dom.js';
 import { NumberField } from './number_field.js';
+import { slides } from './swipe.js';
 
 /** @import { Label } from '../text/words.js' */
 /** @import { Bounds } from '../wire/model.js' */
@@ -35,7 +36,7 @@ export class Slider {
     const { input, wrong, complain } = this.number;
     this.complain = complain;
     input.ariaLabel = text('controls.exact-value', { title });
-    this.range.oninput = () => this.#moved(this.#toValue(Number(this.range.value)));
+    slides(this.range, () => this.#moved(this.#toValue(Number(this.range.value))));
     this.range.onchange = () => {
       this.held = false;
     };

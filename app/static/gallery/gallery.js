@@ -56,7 +56,8 @@ export class Gallery {
     const parts = [this.own, ...this.#cards(listed), ...this.#index(listed)];
     const taught = this.courses?.root ?? make('section');
     taught.append(...lacking());
-    this.body = make('div', { className: 'gallery-body' }, taught, ...parts);
+    this.none = make('p', { className: 'help', hidden: true });
+    this.body = make('div', { className: 'gallery-body' }, this.none, taught, ...parts);
     this.root = make('dialog', { className: 'gallery' }, head, this.body, this.editor.root);
     if (this.courses) this.root.append(this.courses.file.root);
     this.root.setAttribute('aria-labelledby', 'gallery');
@@ -226,6 +227,9 @@ export class Gallery {
     }
     this.own.hidden = typed !== '' || Boolean(carried); // only a server reads files
     this.courses?.find(typed);
+    const taught = this.courses && !this.courses.root.hidden;
+    this.none.hidden = !typed || found.size > 0 || Boolean(taught);
+    this.none.textContent = this.none.hidden ? '' : text('gallery.none', { typed });
     this.count.textContent = text('gallery.count', { count: found.size, all: this.all, part: found.size < this.all });
     this.page.history.later();
   }

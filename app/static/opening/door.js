@@ -11,6 +11,7 @@ const KEY = 'w';
 export class Door {
   /** @type {WhatIf | null} */ whatif = null; // once it was opened
   opened = false;
+  scrolled = 0; // the picture, before
 
   /** @param {Page} page */
   constructor(page) {
@@ -38,15 +39,29 @@ export class Door {
       return;
     }
     if (!this.opened) return;
-    await this.whatif.enter(said);
+    const { root } = this.page;
+    this.scrolled = root.scrollTop;
+    const ready = this.whatif.enter(said); // it has the place of the picture by now
+    root.scrollTop = 0;
+    await ready;
     this.page.history.later();
   }
   close() {
     if (!this.opened) return;
+    const { opening, root } = this.page;
     this.opened = false;
     this.whatif?.leave();
-    this.button.focus();
+    opening.lead();
+    this.button.focus({ preventScroll: true });
+    root.scrollTop = this.scrolled;
     this.page.history.later();
+  }
+  /**
+   * Sliders that are in view.
+   * @param {string[]} names  without the map
+   */
+  leads(names) {
+    return (this.opened && this.whatif?.gains.leads(names)) || names;
   }
   /** What a link says of it. */
   get said() {

@@ -252,10 +252,14 @@ export class Opening {
     this.change.hidden = !changes.length;
     if (changes.length) this.change.textContent = `${WHATS[changes[this.tried % changes.length][0]]} →`;
     this.#share();
-    this.page.controls.lead(this.#leading);
+    this.lead();
     this.#offer(frame);
     this.happens.load(this.page.story.events);
     this.happens.mark(this.page.player.t + this.page.player.start);
+  }
+  /** Have the sliders in view that lead; with the map, those of its axes are among them. */
+  lead() {
+    this.page.controls.lead(this.door.leads(this.#leading));
   }
   /** Where the energy is in the end, as the story has it. */
   #share() {

@@ -6,6 +6,7 @@ import { make } from '../browser/dom.js';
 import { served } from '../browser/home.js';
 import { placeOf } from '../place.js';
 import { commaOf, numberInput } from '../form/number_field.js';
+import { slides } from '../form/swipe.js';
 import { said, text } from '../text/catalogue.js';
 import { duration, figures, localised, signed } from '../text/format.js';
 import { factorOf, typed } from '../text/units.js';
@@ -117,7 +118,9 @@ class Measurement {
   /** @param {string} ariaLabel */
   #slider(ariaLabel) {
     const middle = { min: 0, max: STEPS, value: STEPS / 2 };
-    return make('input', { type: 'range', ...middle, ariaLabel, oninput: () => this.moved() });
+    const slider = make('input', { type: 'range', ...middle, ariaLabel });
+    slides(slider, () => this.moved());
+    return slider;
   }
   #form() {
     const form = make(

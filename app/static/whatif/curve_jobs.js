@@ -19,6 +19,8 @@ const LOST = 8; // jobs, after which what they were about counts as refused
  * @property {number} to  place
  * @property {[name: string, value: number][]} fixed  other choices that are said with each impact
  * @property {Record<string, any>} chosen
+ * @property {number} [parts]  of the curve
+ * @property {number} [most]  contacts: more are not told apart
  */
 /**
  * A change of the number of contacts, between two places.
@@ -35,7 +37,7 @@ const LOST = 8; // jobs, after which what they were about counts as refused
  * @param {Float64Array} found
  * @param {number} [at]  where its row begins
  */
-const countOf = (found, at = 0) => (found[at] ? -1 : found[at + PLACE.contacts]);
+export const countOf = (found, at = 0) => (found[at] ? -1 : found[at + PLACE.contacts]);
 
 export class Curve {
   /** @type {Change[] | null} */ changes = null; // in order; none before all samples are known
@@ -44,14 +46,18 @@ export class Curve {
   /** @param {Asked} asked */
   constructor(asked) {
     this.asked = asked;
-    const { from, to } = asked;
-    this.places = Array.from({ length: PARTS + 1 }, (_, k) => from + (k / PARTS) * (to - from));
-    this.found = new Float64Array((PARTS + 1) * WIDTH);
-    this.known = new Uint8Array(PARTS + 1);
+    const { from, parts = PARTS, to } = asked;
+    this.places = Array.from({ length: parts + 1 }, (_, k) => from + (k / parts) * (to - from));
+    this.found = new Float64Array((parts + 1) * WIDTH);
+    this.known = new Uint8Array(parts + 1);
   }
   /** @param {number} k  a sample */
   count(k) {
-    return countOf(this.found, k * WIDTH);
+    return this.counted(this.row(k));
+  }
+  /** @param {Float64Array} row  Contacts, as far as they are told apart. */
+  counted(row) {
+    return Math.min(countOf(row), this.asked.most ?? Infinity);
   }
   /** @param {number} k  a sample */
   row(k) {
@@ -60,7 +66,7 @@ export class Curve {
   /** Where the number of contacts may change, once all samples are known. */
   compare() {
     this.changes = [];
-    for (let k = 0; k < PARTS; k++)
+    for (let k = 0; k + 1 < this.places.length; k++)
       if (this.count(k) !== this.count(k + 1)) {
         const [low, high] = [this.places[k], this.places[k + 1]];
         this.changes.push({ low, high, before: this.row(k), after: this.row(k + 1), asked: false });
@@ -77,9 +83,9 @@ export class Curve {
    */
   halve(change, row) {
     const middle = (change.low + change.high) / 2;
-    const count = countOf(row);
-    if (count === countOf(change.before)) Object.assign(change, { low: middle, before: row });
-    else if (count === countOf(change.after)) Object.assign(change, { high: middle, after: row });
+    const count = this.counted(row);
+    if (count === this.counted(change.before)) Object.assign(change, { low: middle, before: row });
+    else if (count === this.counted(change.after)) Object.assign(change, { high: middle, after: row });
     else {
       const at = /** @type {Change[]} */ (this.changes).indexOf(change);
       this.changes?.splice(at + 1, 0, { ...change, low: middle, before: row, asked: false });

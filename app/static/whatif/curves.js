@@ -1,12 +1,13 @@
 // All results over one choice, one above the other: broken where they leap, bands of contacts above all of them, and
 // the scene as one upright line through them.
-import { cleared, scale } from '../charts/canvas.js';
+import { cleared, letters, scale } from '../charts/canvas.js';
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { CurveJobs } from './curve_jobs.js';
+import { Fingers } from './fingers.js';
 import { COLOR, disc, mark, pill, word } from './ink.js';
 import { drawLetter } from './letters.js';
-import { longOf, marksOf, placeOf, roundAt, valueAt, writtenOn } from './places.js';
+import { longOf, marksOf, placeOf, roundAt, sureOf, valueAt, writtenOn } from './places.js';
 import { plain, shownOf, titleOf, unitFor, written } from './results.js';
 
 /** @import { Axis } from './axes.js' */
@@ -47,11 +48,11 @@ export class Curves {
     this.root = make('div', { className: 'whatif-curves' }, this.canvas, this.names, this.said);
     const { canvas } = this;
     canvas.setAttribute('aria-describedby', this.said.id);
-    canvas.onpointerdown = (event) => this.#take(event);
-    canvas.onpointermove = (event) => {
-      if (this.dragged) this.#go(event);
-    };
-    canvas.onpointerup = canvas.onpointercancel = () => this.#leave();
+    this.fingers = new Fingers(canvas, {
+      take: (event) => this.#take(event),
+      move: (event) => this.dragged && this.#go(event),
+      leave: () => this.#leave(),
+    });
     canvas.onkeydown = (event) => this.#key(event);
   }
   forget() {
@@ -65,21 +66,22 @@ export class Curves {
     this.narrow = width < NARROW * scale;
     const left = this.narrow ? 16 : NAMES * scale + 24;
     const right = this.narrow ? 16 : 84 * scale;
-    const [top, below] = [34 * scale, 46 * scale];
+    const [top, below] = [50 * scale, 46 * scale];
     this.plot = { x: left, y: top, w: Math.max(width - left - right, 40), h: Math.max(height - top - below, 40) };
     return found.c;
   }
   /** What is needed for what is shown. */
-  follow() {
+  get asked() {
     const { chosen, points, x, y } = this.whatif;
     const [from, to] = this.whatif.range(x);
     const others = Object.entries(chosen).filter(([name]) => name !== x.name);
     const key = JSON.stringify([others, x, from, to, points.source === points.own, y.name]);
-    this.jobs.ask({ key, axis: x, from, to, fixed: [[y.name, this.whatif.value(y)]], chosen });
+    const fixed = /** @type {[name: string, value: number][]} */ ([[y.name, this.whatif.value(y)]]);
+    return { key, axis: x, from, to, fixed, chosen };
   }
   /** @param {Result[]} results  that there are */
   draw(results) {
-    this.follow();
+    this.jobs.ask(this.asked);
     const c = this.measure();
     const names = results.filter((name) => !shownOf(name).whole);
     this.#offer(names);
@@ -151,8 +153,32 @@ export class Curves {
     for (const { from } of bands.slice(1)) mark(c, this.#across(from), y, 0, h);
     c.globalAlpha = 1;
     c.setLineDash([]);
+    if (curve.whole) this.#changes(c, curve, top - 10 * scale);
     c.fillStyle = COLOR.soft;
     c.fillRect(x, y + h, this.plot.w, 1);
+  }
+  /**
+   * The value at each change of contacts that has room for it, the nearest to the scene first.
+   * @param {Context} c
+   * @param {Curve} curve
+   * @param {number} y
+   */
+  #changes(c, { asked, changes }, y) {
+    const { w, x } = this.plot;
+    const { axis } = asked;
+    const all = (changes ?? []).map(({ high, low }) => ({ at: this.#across(low), words: sureOf(axis, low, high) }));
+    const here = this.#scene;
+    /** @type {[left: number, right: number][]} */
+    const taken = [];
+    for (const { at, words } of all.sort((a, b) => Math.abs(a.at - here) - Math.abs(b.at - here))) {
+      c.font = letters(12, '');
+      const half = c.measureText(words).width / 2;
+      const middle = Math.min(Math.max(at, x + half), x + w - half);
+      const [left, right] = [middle - half - 4, middle + half + 4];
+      if (taken.some(([from, to]) => left < to && right > from)) continue;
+      taken.push([left, right]);
+      word(c, words, middle, y, { size: 12 });
+    }
   }
   /** @param {number} place */
   #across(place) {

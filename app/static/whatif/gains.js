@@ -10,6 +10,7 @@ import { PLACE, WIDTH, shownOf, valueOf } from './results.js';
 /** @import { WhatIf } from './whatif.js' */
 
 const STEP = 0.005; // of a value, both ways
+const SLIDERS = 4; // in view
 
 /** @typedef {{ root: HTMLElement, across: HTMLButtonElement, up: HTMLButtonElement, gain: HTMLElement }} Role */
 
@@ -28,6 +29,17 @@ export class Gains {
   get #axes() {
     const { axes, page, points } = this.whatif;
     return axes.filter(({ body, name, whole }) => !body && !whole && page.controls.fields[name] && points.covers(name));
+  }
+  /**
+   * Sliders in view: those of both axes, then others; none of a restitution that does not act.
+   * @param {string[]} others  that lead without the map
+   */
+  leads(others) {
+    const { named, page } = this.whatif;
+    const axes = [named.x, named.y].filter((name) => page.controls.fields[name]);
+    if (!this.whatif.axes.length) return others; // not yet known
+    const act = others.filter((name) => name !== 'restitution' || this.whatif.axis(name));
+    return [...new Set([...axes, ...act])].slice(0, SLIDERS);
   }
   /** @param {Axis} axis */
   #role({ name, title }) {
@@ -49,6 +61,7 @@ export class Gains {
   /** Show what is known, and ask for what is not. */
   follow() {
     const { chosen, named, page, result } = this.whatif;
+    page.opening.lead();
     this.asked = JSON.stringify([chosen, result]);
     const axes = this.#axes;
     for (const [name, { root }] of this.roles) if (!axes.some((axis) => axis.name === name)) root.remove();
@@ -60,7 +73,8 @@ export class Gains {
       const value = this.gains.get(axis.name);
       const sign = value !== undefined && value > 0 ? '+' : '';
       const unit = shownOf(result).unit === '%' ? text('whatif.points') : '%';
-      write(gain, value === undefined || !Number.isFinite(value) ? '' : `${sign}${figures(value, 2)} ${unit}`);
+      const said = { gain: `${sign}${figures(value ?? NaN, 2)}\u00a0${unit}` };
+      write(gain, Number.isFinite(value) ? text('whatif.gain', said) : '');
       gain.title = text('whatif.gain-about');
     }
   }

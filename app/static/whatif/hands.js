@@ -1,9 +1,11 @@
 // What hands and keys do on a map: the point is dragged, a tap takes it there, the wheel goes closer, arrows move it;
 // the wanted value is set on the bar.
+import { Fingers } from './fingers.js';
 import { longOf, placeOf, roundAt, usualRange } from './places.js';
 import { shownOf } from './results.js';
 
 /** @import { Axis } from './axes.js' */
+/** @import { Spot } from './fingers.js' */
 /** @import { WhatIf } from './whatif.js' */
 
 const CURSORS = { point: 'grab', letter: 'pointer', goal: 'move', bar: 'ns-resize', map: 'crosshair' };
@@ -24,14 +26,19 @@ export class Hands {
   constructor(whatif) {
     this.whatif = whatif;
     const { over } = whatif.plane;
-    over.onpointerdown = (event) => this.#take(event);
-    over.onpointermove = (event) => this.#move(event);
-    over.onpointerup = over.onpointercancel = () => this.#leave();
+    this.fingers = new Fingers(over, {
+      take: (event) => this.#take(event),
+      move: (event) => this.#move(event),
+      leave: () => this.#leave(),
+      grips: (event) => ![null, 'map'].includes(whatif.view && whatif.plane.under(...this.#where(event))),
+      pinch: (from, to) => this.#pinch(from, to),
+    });
+    over.onpointerleave = () => this.whatif.borders.look(null);
     over.onkeydown = (event) => this.#key(event);
     over.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
     over.ondblclick = () => this.all();
   }
-  /** @param {MouseEvent} event */
+  /** @param {{ clientX: number, clientY: number }} event */
   #where(event) {
     const box = this.whatif.plane.over.getBoundingClientRect();
     return /** @type {[number, number]} */ ([event.clientX - box.left, event.clientY - box.top]);
@@ -55,7 +62,7 @@ export class Hands {
     if (!this.drag) {
       const under = this.whatif.view && plane.under(px, py);
       plane.over.style.cursor = under ? CURSORS[under] : '';
-      this.whatif.look(under === 'map' ? plane.share(px, py) : null);
+      this.whatif.borders.look(under === 'map' ? [px, py] : null);
       return;
     }
     event.preventDefault();
@@ -114,17 +121,38 @@ export class Hands {
   }
   /** @param {WheelEvent} event */
   #wheel(event) {
-    const { plane, view, x, y } = this.whatif;
+    const { plane, view } = this.whatif;
     const [px, py] = this.#where(event);
     if (!view || plane.under(px, py) === null) return;
     event.preventDefault();
     const by = Math.exp(Math.max(-60, Math.min(60, event.deltaY)) * WHEEL);
-    const shares = plane.share(px, py);
+    this.#zoom([px, py], [px, py], by);
+  }
+  /**
+   * Two fingers zoom, and take along what lies between them.
+   * @param {[Spot, Spot]} from
+   * @param {[Spot, Spot]} to
+   */
+  #pinch(from, to) {
+    if (!this.whatif.view) return;
+    const [wide, wider] = [from, to].map(([a, b]) => Math.max(Math.hypot(a[0] - b[0], a[1] - b[1]), 1));
+    const middle = (/** @type {[Spot, Spot]} */ [a, b]) =>
+      this.#where({ clientX: (a[0] + b[0]) / 2, clientY: (a[1] + b[1]) / 2 });
+    this.#zoom(middle(from), middle(to), wide / wider);
+  }
+  /**
+   * Show so many times as much; what was at one place is at another.
+   * @param {Spot} from
+   * @param {Spot} to
+   * @param {number} by
+   */
+  #zoom(from, to, by) {
+    const { plane, x, y } = this.whatif;
+    const [was, is] = [plane.share(...from), plane.share(...to)];
     [x, y].forEach((axis, k) => {
-      const [from, to] = this.whatif.range(axis);
-      const middle = from + shares[k] * (to - from);
-      const long = Math.min(Math.max((to - from) * by, LEAST), longOf(axis));
-      const first = Math.min(Math.max(middle - shares[k] * long, 0), longOf(axis) - long);
+      const [low, high] = this.whatif.range(axis);
+      const long = Math.min(Math.max((high - low) * by, LEAST), longOf(axis));
+      const first = Math.min(Math.max(low + was[k] * (high - low) - is[k] * long, 0), longOf(axis) - long);
       this.whatif.ranges.set(axis, [first, first + long]);
     });
     this.whatif.schedule();

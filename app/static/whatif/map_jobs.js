@@ -27,7 +27,7 @@ export class MapJobs {
     this.whatif = whatif;
   }
   get idle() {
-    const others = this.whatif.modes.shown?.jobs.idle ?? true;
+    const others = (this.whatif.modes.shown?.jobs ?? this.whatif.borders.across).idle;
     const found = !this.view || (this.halves?.length === 0 && !this.view.lattice.left.size);
     return others && found && !this.under && !this.wanted.length;
   }
@@ -51,9 +51,10 @@ export class MapJobs {
   /** @returns {Job | null} */
   next() {
     const { view } = this;
-    const { designs, gains, goal, modes } = this.whatif;
+    const { borders, designs, gains, goal, modes } = this.whatif;
     if (!view && !modes.shown) return null;
-    const first = this.#own() ?? designs.next() ?? goal.pulling.next() ?? goal.seek.next();
+    const wish = this.#own() ?? designs.next() ?? goal.pulling.next() ?? goal.seek.next();
+    const first = wish ?? borders.near.next(this.many);
     if (first) return first;
     if (!view) return modes.next(this.many) ?? gains.next();
     const gain = this.coarse ? null : gains.next();
@@ -63,7 +64,7 @@ export class MapJobs {
       this.wanted = [view.mend()].filter(({ length }) => length);
       this.halves = view.halves();
     }
-    return this.wanted.length ? this.#points(view) : this.#edges(view);
+    return this.wanted.length ? this.#points(view) : (this.#edges(view) ?? borders.across.next(this.many));
   }
   /**
    * The scene itself, where the page's answer does not say all that is shown.

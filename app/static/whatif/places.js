@@ -7,6 +7,7 @@ import { pretty, raised } from '../text/format.js';
 const LINEAR = 4; // units of a linear axis
 const USUAL = 3; // decades that are shown at first
 const DIGITS = 12;
+const DIGITS_WRITTEN = 4;
 
 /** @param {Axis} axis  how many units it is long, of about a decade each */
 export const longOf = ({ high, log, low }) => (log ? Math.max(1, Math.round(Math.log10(high / low))) : LINEAR);
@@ -37,7 +38,7 @@ export function valueAt(axis, place) {
  * @param {Axis} axis
  * @param {number} place
  */
-export const roundAt = (axis, place) => Number(valueAt(axis, place).toPrecision(4));
+export const roundAt = (axis, place) => Number(valueAt(axis, place).toPrecision(DIGITS_WRITTEN));
 
 /**
  * The stretch of an axis that is shown at first: some decades about the present value.
@@ -92,9 +93,24 @@ export function marksOf(axis, [from, to], room) {
  * @param {number} value
  */
 export const writtenOn = ({ factor, whole }, value) => {
-  const shown = Number((value / factor).toPrecision(4));
+  const shown = Number((value / factor).toPrecision(DIGITS_WRITTEN));
   return whole ? String(Math.round(shown)) : pretty(shown).replace(/^(.+)e(-?\d+)$/, tens);
 };
+
+/**
+ * A value that lies between two places, with no more digits than are sure.
+ * @param {Axis} axis
+ * @param {number} low
+ * @param {number} high
+ */
+export function sureOf(axis, low, high) {
+  const ends = [low, high].map((place) => valueAt(axis, place) / axis.factor);
+  for (let digits = DIGITS_WRITTEN; digits > 0; digits--) {
+    const [a, b] = ends.map((value) => Number(value.toPrecision(digits)));
+    if (a === b) return writtenOn(axis, a * axis.factor);
+  }
+  return ends.map((value) => writtenOn(axis, value * axis.factor)).join('–');
+}
 
 /**
  * A number such as 2e10 by powers of ten.

@@ -26,6 +26,7 @@ const LEAST_LINE = 32; // numbers of a contour, below which it is rounding
 const NARROW = 560; // pixels of the whole
 const WIDE = 46; // pixels about a number, for it to stand with its word
 const EDGE = 10; // pixels that a number keeps from the ends of the map
+const NAME = 20; // and the value of a contour, which may be turned
 const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
 
 /**
@@ -218,7 +219,7 @@ export class Plane {
     let [best, near] = [0.3, -1];
     for (let k = 0; k < line.length; k += 4) {
       const [u, v] = [line[k] / w, line[k + 1] / h];
-      if (Math.min(u, v, 1 - u, 1 - v) < 0.04) continue;
+      if (Math.min(u * w, v * h, w - u * w, h - v * h) < NAME * scale) continue; // it would be cut
       const off = Math.abs(v - 0.62 + 0.38 * (u - 0.5)) + 0.02 * Math.abs(u - 0.5);
       if (off < best) [best, near] = [off, k];
     }

@@ -22,6 +22,7 @@ export class TaughtMap extends WhatIf {
   constructor(page, moves) {
     super(page, () => {});
     this.moves = moves;
+    this.borders.silent = true; // they are to find it
     this.root.append(this.heading, this.plane.root, this.foot);
   }
   /**

@@ -5,8 +5,9 @@ import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { drawBars, drawHistogram, percentOf, rangeOf, toneOf } from './histogram.js';
 import { shownOf, titleOf, written } from './results.js';
+import { nameOf } from './sentence.js';
 import { MOST_INPUTS, binsOf, mattersOf, quantilesOf } from './spread.js';
-import { ToleranceRow } from './tolerance_row.js';
+import { EveryTolerance, ToleranceRow } from './tolerance_row.js';
 import { ToleranceJobs, clips } from './tolerance_jobs.js';
 
 /** @import { Axis } from './axes.js' */
@@ -47,7 +48,8 @@ export class Tolerance {
     this.jobs = new ToleranceJobs(() => whatif.came());
     const title = make('h3', { textContent: text('whatif.matters') });
     const about = make('span', { textContent: text('whatif.matters-about') });
-    this.head = make('div', { className: 'whatif-matters' }, title, about);
+    this.every = new EveryTolerance((part) => this.#setAll(part));
+    this.head = make('div', { className: 'whatif-matters' }, title, about, this.every.root);
     this.root = make('div', { className: 'whatif-tolerance' }, this.box, this.head, this.list, this.notes, this.said);
     this.canvas.setAttribute('aria-describedby', this.said.id);
     this.list.ariaLabel = text('whatif.matters');
@@ -68,6 +70,11 @@ export class Tolerance {
       const part = this.parts.get(axis.name) ?? (k < MOST_INPUTS ? usualOf(axis) : 0);
       return /** @type {Input} */ ({ axis, value: this.whatif.value(axis), part });
     });
+  }
+  /** @param {number} part  that all values have as their tolerance */
+  #setAll(part) {
+    for (const { axis } of this.inputs) this.parts.set(axis.name, part);
+    this.whatif.schedule();
   }
   /** @param {Result[]} results  that there are */
   draw(results) {
@@ -146,7 +153,7 @@ export class Tolerance {
       );
     }
     const top = found.reduce((best, each) => (each.share > best.share ? each : best), found[0]);
-    this.most = { name: top.row?.axis.title ?? '', share: top.share };
+    this.most = { name: top.row ? nameOf(top.row.axis) : '', share: top.share };
     if (this.list.matches(':hover, :focus-within')) return;
     const ranked = found.sort((a, b) => b.share - a.share).flatMap(({ row }) => (row ? [row.root] : []));
     const order = [
@@ -162,7 +169,7 @@ export class Tolerance {
    */
   #note(inputs, samples) {
     const some = inputs.filter(({ part }) => part > 0);
-    const cut = some.filter(clips).map(({ axis }) => axis.title);
+    const cut = some.filter(clips).map(({ axis }) => nameOf(axis));
     const notes = [
       samples && text('whatif.impacts', { count: grouped(samples.count) }),
       samples?.refused && text('whatif.refusals', { count: samples.refused }),

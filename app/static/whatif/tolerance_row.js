@@ -4,11 +4,13 @@ import { NumberField } from '../form/number_field.js';
 import { pretty } from '../text/format.js';
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
+import { nameOf } from './sentence.js';
 
 /** @import { Axis } from './axes.js' */
 
 const STEPS = [0, 0.1, 0.2, 0.5, 1, 2, 3, 5, 10, 20, 30, 50]; // %
 const MOST = 90; // %
+const EVERY = 10; // %, that all values are offered at once
 const DOTS = 900; // impacts at most
 
 export class ToleranceRow {
@@ -23,8 +25,8 @@ export class ToleranceRow {
    */
   constructor(axis, set) {
     this.axis = axis;
-    const name = make('span', { className: 'name', textContent: axis.title, title: axis.of });
-    const control = axis.of ? `${axis.title}, ${axis.of}` : axis.title;
+    const control = nameOf(axis);
+    const name = make('span', { className: 'name', textContent: control, title: control });
     const take = (/** @type {number} */ percent) => set(percent / 100);
     this.number = new NumberField({ control, sign: '%' }, () => [0, MOST], pretty, take);
     this.number.input.ariaLabel = text('whatif.tolerance-of', { name: control });
@@ -87,5 +89,28 @@ export class ToleranceRow {
       c.fillRect(((inputOf(n) + 1) / 2) * (width - 2), (1 - y) * (height - 2), 1.7, 1.7);
     }
     c.globalAlpha = 1;
+  }
+}
+
+/** The same tolerance for all values, in a field with a button. */
+export class EveryTolerance {
+  /** @param {(part: number) => void} set  1 is all of a value */
+  constructor(set) {
+    let percent = EVERY;
+    const take = (/** @type {number} */ value) => {
+      percent = value;
+    };
+    const name = text('whatif.every');
+    const number = new NumberField({ control: name, sign: '%' }, () => [0, MOST], pretty, take);
+    number.input.ariaLabel = name;
+    number.set(percent);
+    const button = make('button', { type: 'submit', className: 'whole small', textContent: text('whatif.every-set') });
+    const label = make('span', { textContent: text('whatif.every-sign') });
+    this.root = make('form', {}, label, number.input, make('span', { textContent: '%' }), button, number.wrong);
+    this.root.className = 'whatif-every';
+    this.root.onsubmit = (event) => {
+      event.preventDefault();
+      if (!number.typing) set(percent / 100); // else it has been refused
+    };
   }
 }

@@ -6,6 +6,7 @@ import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { Along } from './along.js';
 import { axesOf, usualFirst, valueIn } from './axes.js';
+import { Borders } from './borders.js';
 import { Designs } from './designs.js';
 import { Gains } from './gains.js';
 import { Goal } from './goal.js';
@@ -76,6 +77,7 @@ export class WhatIf {
     this.status = make('p', { className: 'whatif-status', role: 'status' });
     this.words = make('p', { className: 'whatif-said', ariaLive: 'polite' });
     this.modes = new Modes(this);
+    this.borders = new Borders(this);
     const back = { type: 'button', className: 'whole whatif-back', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
@@ -83,7 +85,7 @@ export class WhatIf {
     this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root);
     this.head.append(this.designs.keep, this.along.root, this.back);
     this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root, this.designs.root);
-    this.foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
+    this.foot = make('div', { className: 'whatif-foot' }, this.status, this.borders.root, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
     this.hands = new Hands(this);
   }
@@ -233,6 +235,7 @@ export class WhatIf {
       this.#look(x, y);
       this.#paint();
       this.over();
+      this.borders.follow();
     }
     this.beside(results);
     this.say();
@@ -288,14 +291,6 @@ export class WhatIf {
     this.painted = painted;
   }
   /**
-   * Why there is nothing at a place.
-   * @param {[x: number, y: number] | null} share  of the map
-   */
-  look(share) {
-    const why = share && this.view?.why(...share);
-    write(this.words, why ?? '');
-  }
-  /**
    * Another view in the place of the map.
    * @param {NonNullable<Modes['shown']>} shown
    * @param {Result[]} results
@@ -304,6 +299,7 @@ export class WhatIf {
     this.view = null;
     this.seen = '';
     this.jobs.plan(null);
+    this.borders.rest();
     shown.draw(results);
     this.domain = shown.domain;
     this.domainOf = '';

@@ -221,3 +221,15 @@ def test_a_press_beside_it_closes_it_but_ends_no_writing(open_page):
     page.tab.mouse.click(3, 300)
     page.frames_pass(3)
     expect(gallery(page)).to_be_visible()
+
+
+def test_a_search_that_finds_nothing_says_so(open_page):
+    page = open_page("?gallery")
+    search = page.tab.get_by_role("searchbox", name="Search scenes and lessons")
+    type_into(search, "qwertz", "")
+    said = page.tab.get_by_text("No scene and no lesson has “qwertz” in it.")
+    expect(said).to_be_visible()
+    type_into(search, "xylophone", "")
+    expect(said).to_be_hidden()
+    type_into(search, "", "")
+    expect(page.tab.locator(".gallery-body .help").first).to_be_hidden()
