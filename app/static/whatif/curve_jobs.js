@@ -20,7 +20,7 @@ const LOST = 8; // jobs, after which what they were about counts as refused
  * @property {[name: string, value: number][]} fixed  other choices that are said with each impact
  * @property {Record<string, any>} chosen
  * @property {number} [parts]  of the curve
- * @property {number} [most]  contacts: more are not told apart
+ * @property {number} [most]  contacts: more count as so many
  */
 /**
  * A change of the number of contacts, between two places.
@@ -55,7 +55,7 @@ export class Curve {
   count(k) {
     return this.counted(this.row(k));
   }
-  /** @param {Float64Array} row  Contacts, as far as they are told apart. */
+  /** @param {Float64Array} row  Contacts, as lines distinguish them. */
   counted(row) {
     return Math.min(countOf(row), this.asked.most ?? Infinity);
   }
