@@ -21,6 +21,7 @@ const BEFORE = {
   'take/files.js': [PAGE],
   'wasm/answers.js': [PAGE],
   'whatif/whatif.js': [PAGE, 'wasm/answers.js'],
+  'whatif/taught.js': [PAGE, 'wasm/answers.js', 'whatif/whatif.js'],
 };
 // a folder without a server: scripts that are no modules, as browsers allow none to pages from the disk
 const OFFLINE = {
@@ -29,6 +30,7 @@ const OFFLINE = {
     'gallery/gallery.js',
     'take/files.js',
     'whatif/whatif.js',
+    'whatif/taught.js',
     'lesson/lesson.js',
     'courses/courses.js',
   ],

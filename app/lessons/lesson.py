@@ -51,6 +51,7 @@ class Scene(Part):
     scene: str | None = None
     changes: dict[str, Any] = field(default_factory=dict)  # choices of the page
     show: tuple[str, ...] | None = None
+    map: tuple[str, ...] = ()  # its result, and the settings across and upwards; without them the page's own
     beside: dict[str, Any] = field(default_factory=dict)  # choices of a second solution, in which it differs
     play: Span | None = None
     at: Time | None = None

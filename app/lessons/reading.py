@@ -10,7 +10,7 @@ from .lesson import After, Lesson, Part, Scene, Step, Summary, Text
 from .problems import LessonError, Problems, wanted
 from .prose import paragraphs
 from .questions import Reader, read_choice, read_number, read_order, read_set
-from .showing import read_shown
+from .showing import read_map, read_shown
 from .sketch import read_sketch
 from .stage import Stage, known_scene
 from .translation import merged, original_of
@@ -166,12 +166,13 @@ def _read_scene(fields: Fields, stage: Stage, name: str, line: int) -> Part:
         scene = known_scene(scene, fields.line("scene"), "scene", fields.reading.problems)
         if scene:
             stage.turn_to(scene)
-    changes, show = stage.change(fields), read_shown(fields, stage)
+    changes, show, map_ = stage.change(fields), read_shown(fields, stage), read_map(fields, stage)
     sliders, beside = stage.sliders(fields), stage.settings(fields, "beside")
     fields.reading.events = stage.events()
     play, at, time = fields.span("play"), fields.time("at"), fields.choice("time", CLOCKS, CLOCKS[0])
     return Scene(
-        line=line, scene=scene, changes=changes, show=show, beside=beside, play=play, at=at, time=time, sliders=sliders,
+        line=line, scene=scene, changes=changes, show=show, map=map_, beside=beside, play=play, at=at, time=time,
+        sliders=sliders,
     )  # fmt: skip
 
 

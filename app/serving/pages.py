@@ -51,6 +51,7 @@ LATE = {
     "take/files.js",
     "wasm/answers.js",
     "wasm/worker.js",
+    "whatif/taught.js",
     "whatif/whatif.js",
     "gallery/gallery.css",
     "courses/courses.css",

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { apart, commandOf, figureOf, pythonOf, variedOf, withinOf } from '../../app/static/whatif/code_lines.js';
 import { Curve } from '../../app/static/whatif/curve_jobs.js';
-import { usualRange } from '../../app/static/whatif/places.js';
+import { Ranges } from '../../app/static/whatif/ranges.js';
 import { PLACE, WIDTH } from '../../app/static/whatif/results.js';
 import { csvOf, tableOfCurves } from '../../app/static/whatif/table.js';
 import { follow, saidOf } from '../../app/static/whatif/view_link.js';
@@ -14,10 +14,10 @@ const AXES = [axis('mass_ratio', 1e-3, 1e3), axis('speed', 0.01, 100), axis('pla
 /** A map whose scene has the value 1 for all. */
 function mapOf() {
   const whatif = {
-    ...{ result: 'peak_force', named: { x: 'mass_ratio', y: 'speed' }, wanted: {}, ranges: new Map() },
+    ...{ result: 'peak_force', named: { x: 'mass_ratio', y: 'speed' }, wanted: {}, ranges: new Ranges() },
     axis: (name) => AXES.find((each) => each.name === name),
     value: () => 1,
-    range: (each) => whatif.ranges.get(each.name) ?? usualRange(each, 1),
+    range: (each) => whatif.ranges.of(each, 1),
     modes: { mode: 'map', said: '', tolerance: { parts: new Map() } },
   };
   whatif.goal = {
@@ -34,7 +34,7 @@ test('a link says what is not as usual, and brings it back', () => {
   assert.equal(saidOf(map), 'peak_force,mass_ratio,speed');
   map.wanted.peak_force = 4e4;
   assert.equal(saidOf(map), 'peak_force,mass_ratio,speed,40000');
-  map.ranges.set('mass_ratio', [2, 4]);
+  map.ranges.set(AXES[0], [2, 4]);
   Object.assign(map.goal, { gives: 'speed', holds: true });
   map.modes.mode = 'tolerance';
   map.modes.tolerance.parts.set('speed', 0.05);
@@ -44,7 +44,7 @@ test('a link says what is not as usual, and brings it back', () => {
   again.modes.mode = 'tolerance';
   follow(again, said);
   assert.equal(saidOf(again), said);
-  const places = again.ranges.get('mass_ratio').map((place) => place.toFixed(9));
+  const places = again.ranges.shown.get('mass_ratio').map((place) => place.toFixed(9));
   assert.deepEqual(places, ['2.000000000', '4.000000000']);
 });
 
@@ -64,7 +64,7 @@ test('old links open, and what is no value or of a later version is passed over'
   const map = mapOf();
   follow(map, 'newton,speed,mass_ratio,0.5,y:1e-9:1e9');
   assert.deepEqual([map.result, map.named, map.wanted], ['newton', { x: 'speed', y: 'mass_ratio' }, { newton: 0.5 }]);
-  assert.deepEqual(map.ranges.get('mass_ratio'), [0, 6], 'no farther than the axis');
+  assert.deepEqual(map.ranges.shown.get('mass_ratio'), [0, 6], 'no farther than the axis');
 });
 
 test('values of a key are a range where they are one, and a list where they are none', () => {

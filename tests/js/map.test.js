@@ -70,7 +70,7 @@ test('marks stand at round values within the axis', () => {
 /** All that a window needs, found: how many impacts that took. */
 function complete(lattice, axes, size, of, whole = false) {
   for (let total = 0; ; ) {
-    const view = new Window(lattice, axes, size, true);
+    const view = new Window(lattice, axes, size, 7);
     const [first = view.mend()] = view.plan([0.5, 0.5], whole); // what comes first, as it is asked
     const wanted = [...first];
     const edges = wanted.length ? [] : view.halves();

@@ -47,6 +47,7 @@ export function sectionOf(frame, field, what, stage, series) {
     field,
     forces,
     largest: stage.usual[what],
+    peak: frame.main.peakForce,
     scale: 0,
     strikes: false,
     what,

@@ -49,9 +49,12 @@ export const signOf = (rank) => SIGNS[rank % SIGNS.length];
  * @property {boolean} [over]  drawn after all others
  */
 
-/** @typedef {'A' | 'B' | 'C' | 'D'} Letter  of a solution that is kept */
+/** @typedef {'A' | 'B' | 'C' | 'D' | 'E' | 'F' | 'G' | 'H'} Letter  of a solution that is kept */
 /** @type {Record<Letter, string>} */
-export const KEPT = { A: '#1f8a4c', B: '#8a3fb5', C: '#8d5524', D: '#00838f' };
+export const KEPT = {
+  ...{ A: '#1f8a4c', B: '#8a3fb5', C: '#8d5524', D: '#00838f' },
+  ...{ E: '#b3246b', F: '#5460c0', G: '#7d7a10', H: '#4d5a66' },
+};
 
 /**
  * Lines of a kept solution: its own, by the other method, and of the struck place.
@@ -87,6 +90,10 @@ const KNOWN = {
   ...keptAs('B'),
   ...keptAs('C'),
   ...keptAs('D'),
+  ...keptAs('E'),
+  ...keptAs('F'),
+  ...keptAs('G'),
+  ...keptAs('H'),
   exact: { color: COLORS.waves, width: 2 },
   wide: { color: COLORS.waves, width: 3.4 }, // to be seen beneath what is laid over it
   other: { color: COLORS.modal, width: 1.5 },

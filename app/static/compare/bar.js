@@ -4,7 +4,6 @@ import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { questionsOf } from './questions.js';
 import { LETTERS } from '../frame/kept.js';
-import { MOST } from './run.js';
 import { differing, lineOf, shortOf, titleOf } from '../form/settings.js';
 import { comparable } from './kinds.js';
 import { signOf } from './summary.js';
@@ -97,7 +96,7 @@ export class Bar {
     const { compare } = this;
     const { locked, runs } = compare;
     this.row.hidden = !runs.length && !locked;
-    this.pin.disabled = runs.length >= MOST;
+    this.pin.disabled = !freeLetter(runs);
     this.pin.title = text(this.pin.disabled ? 'compare.full' : 'compare.keep-hint');
     if (this.row.hidden) return;
     const beside = runs.flatMap(({ frame }) => (comparable(now, frame) ? [frame] : []));

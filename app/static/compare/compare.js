@@ -1,4 +1,4 @@
-// Solutions that are kept: up to four, overlaid on every chart, compared with the one that is shown, and one of them
+// Solutions that are kept: up to eight, overlaid on every chart, compared with the one that is shown, and one of them
 // beside it in the picture. They are messages that the browser has already; nothing is solved for them.
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
@@ -197,19 +197,23 @@ export class Compare {
     this.wanted.forEach((each, place) => this.known.set(JSON.stringify(each), this.runs[place]));
     for (const oldest of [...this.known.keys()].slice(0, -REMEMBERED)) this.known.delete(oldest);
     layOver(page.view, page.frame, this.runs);
-    const { axis } = page.view;
-    axis?.reach(0, this.span(page.frame));
+    this.reach();
     page.view.dress();
     this.tell(page.frame);
     page.redraw();
     page.history.write();
   }
+  /** The charts show as much time as what they show takes. */
+  reach() {
+    const { frame, view } = this.page;
+    view.axis?.reach(0, this.span(frame));
+  }
   /**
-   * How much time the charts show, in units of the message.
+   * How much time the charts show, in units of the message; beside the map there is nothing of what is kept.
    * @param {Frame} frame
    */
   span(frame) {
-    if (!('trip' in frame)) return frame.duration;
+    if (!('trip' in frame) || this.page.root?.dataset.whatif) return frame.duration;
     if (this.scales.seconds) return this.scales.seconds / frame.trip;
     const others = this.runs.flatMap(({ frame: kept }) =>
       'trip' in kept && comparable(frame, kept) ? [(kept.duration * kept.trip) / frame.trip] : [],

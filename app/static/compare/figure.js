@@ -4,7 +4,10 @@ import { text } from '../text/catalogue.js';
 
 /** @import { Energies } from '../messages.js' */
 
-/** @typedef {'count' | 'time' | 'force' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'} Size */
+/**
+ * @typedef {'count' | 'time' | 'force' | 'stress' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'
+ * } Size
+ */
 /** @typedef {{ key: string, name: string, size: Size, value: number | null, unit?: string }} Figure */
 
 /**

@@ -7,7 +7,7 @@ import { kindsOf } from '../form/settings.js';
 /** @import { Frame } from '../messages.js' */
 /** @import { Figure, Size } from './figure.js' */
 
-const UNITS = { time: 's', force: 'N', impulse: 'N s', length: 'm' };
+const UNITS = { time: 's', force: 'N', stress: 'Pa', impulse: 'N s', length: 'm' };
 const SAME = 5e-4; // difference of two figures, as a share, that is none
 const WORTH = 5e-3; // difference that is worth a word
 const TIMES = 2; // from which one is said to be so many times the other

@@ -6,8 +6,6 @@ import { roomOf } from './kinds.js';
 /** @import { Histories } from './histories.js' */
 /** @import { Letter } from '../frame/kept.js' */
 
-export const MOST = 4;
-
 export class Run {
   /** @type {Record<string, Histories | null>} */ #histories = {};
   /** @type {Frame | null} */ #frame = null;

@@ -9,7 +9,7 @@ import { isOwn } from '../wire/own.js';
 const BODY_VALUE = /^[\w.+-]{1,30}$/; // the server knows which can be
 const NUMBER = /^-?\d+(\.\d+)?(e[+-]?\d+)?$/;
 
-export const LETTERS = /** @type {const} */ (['A', 'B', 'C', 'D']);
+export const LETTERS = /** @type {const} */ (['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H']);
 
 /** @typedef {(typeof LETTERS)[number]} Letter  by which a kept solution is called and coloured */
 /** @typedef {{ letter: Letter, settings: Partial<Chosen> }} Wanted */

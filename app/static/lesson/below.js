@@ -1,18 +1,29 @@
 // Charts and analyses of the page that a step shows below its picture, in the place of the rows.
 import { make } from '../browser/dom.js';
+import { late } from '../browser/late.js';
+import { text } from '../text/catalogue.js';
 
 /** @import { Chart } from '../charts/chart.js' */
 /** @import { Page } from '../page.js' */
+/** @import { TaughtMap } from '../whatif/taught.js' */
 
+const MAP = 'map';
 const OF_SOLUTIONS = ['force', 'moved']; // charts that have other solutions of the impact beside the first
 
 export class Below {
   /** @type {string[]} */ names = []; // that the step shows, by now
   root = make('div', { className: 'strip lesson-charts' });
+  /** @type {TaughtMap | null} */ map = null; // once a step has shown one
+  /** @type {string[]} */ of = []; // its result and its axes
+  fetched = false;
 
-  /** @param {Page} page */
-  constructor(page) {
+  /**
+   * @param {Page} page
+   * @param {() => string[]} moves  choices that may be set by hand
+   */
+  constructor(page, moves) {
     this.page = page;
+    this.moves = moves;
     for (const { dispersion, stack, stage } of Object.values(page.views)) {
       if (dispersion) dispersion.chart.lone = true;
       if ('taught' in stage) stage.taught = true;
@@ -26,6 +37,7 @@ export class Below {
    */
   #part(name) {
     const { analyses } = this.page;
+    if (name === MAP) return this.map?.root;
     const found = this.charts[name];
     return found && !found.root.hidden ? found.root : analyses.byName.get(name)?.root;
   }
@@ -52,11 +64,38 @@ export class Below {
   }
   /**
    * @param {string[]} names
-   * @param {boolean} there  whether the scene of the step is, so that analyses are of it
+   * @param {string[]} of  result and axes of a map; none: the page's own
    */
-  show(names, there) {
+  async #chart(names, of) {
+    const { page } = this;
+    if (!names.includes(MAP)) {
+      if (this.map?.open) this.map.leave();
+      return;
+    }
+    this.of = of;
+    if (!this.fetched) {
+      this.fetched = true;
+      try {
+        const { TaughtMap: Map } = await late('whatif/taught.js');
+        this.map = new Map(page, this.moves);
+      } catch {
+        this.fetched = false;
+        page.complain(text('opening.no-map'));
+        return;
+      }
+      this.lend();
+    }
+    if (this.names.includes(MAP)) await this.map?.show(this.of.join(','));
+  }
+  /**
+   * @param {string[]} names
+   * @param {boolean} there  whether the scene of the step is, so that analyses are of it
+   * @param {string[]} of  result and axes of a map
+   */
+  show(names, there, of) {
     const { analyses, root } = this.page;
     this.names = names;
+    if (there) this.#chart(names, of);
     for (const view of there ? analyses.all : []) if (view.open !== this.#shows(view.root)) view.toggle();
     root.classList.toggle('charted', names.length > 0);
     if (!this.root.isConnected) root.append(this.root);

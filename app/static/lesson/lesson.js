@@ -12,7 +12,7 @@ import { Coming } from './coming.js';
 import { endingOf } from './ending.js';
 import { eventsOf, fallenOf, timeOf, unitOf } from './events.js';
 import { First } from './first.js';
-import { dress, rowsUntil } from './picture.js';
+import { dress, rowsUntil, showingAt } from './picture.js';
 import { elementsOf } from './nodes.js';
 import { PROJECTOR } from './projector.js';
 import { asks, questionOf } from './questions.js';
@@ -80,7 +80,7 @@ export class Lesson {
     const column = make('div', { className: 'lesson-column' }, this.words, this.asked);
     this.root = make('section', { className: 'lesson', ariaLabel: text('lesson.lesson') }, column, this.spoken);
     this.bar = new Bar(this);
-    this.below = new Below(page);
+    this.below = new Below(page, () => this.sliders ?? []);
     this.awaited = new Coming(page);
     this.second = new Second(page);
     this.first = new First(page);
@@ -138,8 +138,7 @@ export class Lesson {
   }
   /** @returns {string[]} what is shown by now */
   get #shown() {
-    const parts = this.record.steps.slice(0, this.at + 1).flatMap((step) => step.parts);
-    return parts.findLast(({ kind, show }) => kind === 'scene' && show)?.show ?? AT_FIRST;
+    return showingAt(this).show ?? AT_FIRST;
   }
   /** Its title, which says nothing that is asked first. */
   get title() {
@@ -230,7 +229,7 @@ export class Lesson {
     this.first.lay(this.at, (this.sliders ?? []).length > 0);
     this.page.controls.bound(this.question?.bounds ?? {});
     this.load(frame);
-    this.below.show(this.below.names, true);
+    this.below.show(this.below.names, true, showingAt(this).map);
     this.#begin();
     return this.#beside(frame);
   }
@@ -286,7 +285,8 @@ export class Lesson {
     const { page, question } = this;
     const chart = question?.chart && !(question instanceof Sketch && question.laid) ? question.chart : null;
     this.rows = !chart && this.#shown.includes('rows');
-    this.below.show(chart || this.#closed ? [] : this.#shown.filter((name) => !PLAIN.includes(name)), !this.coming);
+    const charts = chart || this.#closed ? [] : this.#shown.filter((name) => !PLAIN.includes(name));
+    this.below.show(charts, !this.coming, showingAt(this).map);
     const { root } = page;
     root.classList.toggle('sketching', Boolean(chart));
     if (chart && !chart.isConnected) this.root.after(chart); // Tab goes on to it

@@ -4,6 +4,7 @@ import { Sketch } from './sketch.js';
 
 /** @import { Frame } from '../messages.js' */
 /** @import { Lesson } from './lesson.js' */
+/** @import { Part } from './questions.js' */
 
 const OVER = 0.01; // of the peak, below which a force is over
 const SHORT = 0.6; // of all that is solved: rows that end later show all of it
@@ -20,6 +21,16 @@ function guessOf(lesson) {
   const questions = last ? parts.map((part) => questionOf(lesson, part)) : [question];
   const sketch = questions.find((each) => each instanceof Sketch);
   return sketch && (sketch.laid || (last && sketch.done)) ? sketch.series : null;
+}
+
+/**
+ * The part that says what is shown by now; nothing where none does.
+ * @param {Lesson} lesson
+ * @returns {Partial<Part>}
+ */
+export function showingAt({ at, record }) {
+  const parts = record.steps.slice(0, at + 1).flatMap((step) => step.parts);
+  return parts.findLast(({ kind, show }) => kind === 'scene' && show) ?? {};
 }
 
 /**

@@ -325,6 +325,7 @@ export class Opening {
     this.answered = this.due ? this.answered && answered : answered;
     this.due = true;
     this.door.take();
+    this.teaching.lesson?.below.map?.take();
   }
   /** @param {number} t */
   show(t) {

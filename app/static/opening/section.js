@@ -40,6 +40,7 @@ const TIMES = 10; // pixels before them
  * @typedef {object} Beside
  * @property {import('../charts/marks.js').Span[]} contacts
  * @property {Series[]} forces  the most important first
+ * @property {number | null} [peak]  of the first, where samples may miss it [N]
  * @property {string} about  what the unit of time is
  * @property {string} title
  * @property {Ends | null} ends  where the first place is the one that is struck
@@ -297,10 +298,10 @@ export class Section {
    * @param {Context} c
    * @param {Woven} scene
    */
-  #peak(c, { contacts, forces: [{ factor = 1, style, x, y }, ...others] }) {
+  #peak(c, { contacts, forces: [{ factor = 1, style, x, y }, ...others], peak }) {
     let most = 0;
     for (let k = 1; k < y.length; k++) if (y[k] > y[most] * (1 + 1e-9)) most = k;
-    const words = engineering(y[most] * factor, 'N', 3);
+    const words = engineering(peak ?? y[most] * factor, 'N', 3);
     const { base, tall: all, top: first, width } = this.box;
     const tall = (width < NARROW || this.tracks.length ? LABEL.narrow : LABEL.peak) * zoom;
     c.font = letters(tall / zoom, '600 ');

@@ -25,6 +25,7 @@ import { isCoordinate, placeOf, siOf, unitOf } from '../wire/body_values.js';
 
 const FAR = 10; // times the lowest value: as sliders, from there on logarithmic
 const AROUND = 4; // times the value of the scene, up and down: values of bodies could be anything
+const FIRST = ['mass_ratio', 'speed']; // where nobody has chosen any, after what sets how stiff the contact is
 const NAMES = family('body.value');
 
 /** @param {{ low: number, high: number }} ends */
@@ -45,6 +46,18 @@ export function axesOf(frame, { spec }, held) {
     ...choices.map((name) => choiceAxis(name, spec[name], held?.bounds.get(name))),
     ...bodies.flatMap((part) => bodyAxes(part, frame.parts)).filter(({ name }) => !shadows.has(name)),
   ];
+}
+
+/**
+ * The value that a scene has on an axis; NaN where there is none.
+ * @param {Axis} axis
+ * @param {Pick<Frame, 'chosen' | 'parts'>} frame
+ */
+export function valueIn({ body, name }, { chosen, parts }) {
+  if (!body) return Number(chosen[name]);
+  for (const { key, values } of parts)
+    for (const { quantity, value } of values) if (`${key}.${quantity}` === name) return Number(value ?? NaN);
+  return NaN;
 }
 
 /**
@@ -117,4 +130,15 @@ function endsOf({ high, low, own, quantity, value }, parts) {
     ends = [middle - reach / 2, middle + reach / 2];
   } else if (low >= 0 && middle > 0) ends = [middle / AROUND, middle * AROUND];
   return { low: Math.max(low, Math.min(ends[0], value)), high: Math.min(high, Math.max(ends[1], value)) };
+}
+
+/**
+ * Names of axes, in the order in which they are taken where nobody has chosen any; none that is whole.
+ * @param {Axis[]} axes
+ */
+export function usualFirst(axes) {
+  const known = axes.filter(({ whole }) => !whole).map(({ name }) => name);
+  const stiff = known.filter((name) => name.endsWith('stiffness'));
+  const usual = new Set(['mass_ratio', ...stiff, ...FIRST, ...known]);
+  return [...usual].filter((name) => known.includes(name));
 }

@@ -5,6 +5,7 @@ import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { CurveJobs } from './curve_jobs.js';
 import { COLOR, disc, mark, pill, word } from './ink.js';
+import { drawLetter } from './letters.js';
 import { longOf, marksOf, placeOf, roundAt, valueAt, writtenOn } from './places.js';
 import { plain, shownOf, titleOf, unitFor, written } from './results.js';
 
@@ -52,6 +53,9 @@ export class Curves {
     };
     canvas.onpointerup = canvas.onpointercancel = () => this.#leave();
     canvas.onkeydown = (event) => this.#key(event);
+  }
+  forget() {
+    this.jobs.ask(null);
   }
   /** Measure its room; whether there is any. */
   measure() {
@@ -214,6 +218,11 @@ export class Curves {
     }
     if (wanted !== null) this.#wanted(c, yOf(wanted), written(name, wanted));
     this.#trace(c, pieces, yOf, chosen, LEAP * (to - from));
+    for (const { letter, place, value } of whatif.designs.along(name)) {
+      const spot = /** @type {[number, number]} */ ([this.#across(place), yOf(value)]);
+      if (chosen) drawLetter(c, spot, letter, false);
+      else disc(c, ...spot, 4, COLOR.kept);
+    }
     if (!Number.isFinite(of(here))) return;
     disc(c, this.#scene, yOf(here), 5.5, COLOR.accent);
     c.lineWidth = 2;

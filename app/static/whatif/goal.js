@@ -67,12 +67,6 @@ export class Goal {
   get axis() {
     return this.whatif.axis(this.gives);
   }
-  /** The axis that gives way where nobody has chosen one. */
-  get usual() {
-    const { axes, named } = this.whatif;
-    const can = axes.filter(({ whole }) => !whole);
-    return (can.find(({ name }) => name !== named.x && name !== named.y) ?? can[0])?.name ?? '';
-  }
   get wanted() {
     return this.whatif.wanted[this.whatif.result] ?? null;
   }
@@ -95,6 +89,12 @@ export class Goal {
   get #factor() {
     const { domain, result } = this.whatif;
     return unitFor(result, domain ?? [0, 0]);
+  }
+  /** What gives way where nobody has chosen it: a choice that is no axis and acts at once, or else the axis upwards. */
+  get usual() {
+    const { axes, named, points } = this.whatif;
+    const free = axes.filter(({ body, name, whole }) => !body && !whole && name !== named.x && name !== named.y);
+    return free.find(({ name }) => points.covers(name))?.name ?? named.y;
   }
   /** What there is changed: seek again, where anything that it hangs on has. */
   follow() {
@@ -120,8 +120,9 @@ export class Goal {
    */
   pull(there) {
     const { axis, wanted, whatif } = this;
-    if (wanted === null || !axis || there.some(([each]) => each === axis)) return;
-    const fixed = there.map(([each, value]) => /** @type {[string, number]} */ ([each.name, value]));
+    if (wanted === null || !axis) return;
+    const others = there.filter(([each]) => each !== axis);
+    const fixed = others.map(([each, value]) => /** @type {[string, number]} */ ([each.name, value]));
     this.pulling.ask({ axis, result: whatif.result, wanted, chosen: whatif.chosen, fixed });
     whatif.points.feed();
   }
@@ -164,7 +165,8 @@ export class Goal {
     }
     this.choice.value = this.gives;
     if (wanted === null || !axis || !sought || sought.asked.axis.name !== axis.name) {
-      this.roots.replaceChildren();
+      this.roots.replaceChildren(this.seek.idle ? '' : text('whatif.seeking'));
+      this.roots.dataset.known = '';
       return;
     }
     this.#list(sought, axis);
@@ -176,7 +178,7 @@ export class Goal {
    */
   #list(sought, axis) {
     const { roots, leaps, values } = sought;
-    const known = JSON.stringify([roots, leaps.length, axis.name]);
+    const known = JSON.stringify([roots, leaps.length, values, axis.name]);
     if (this.roots.dataset.known === known) return;
     this.roots.dataset.known = known;
     const buttons = roots.slice(0, MOST).map((place) => {
@@ -189,8 +191,10 @@ export class Goal {
     const { result } = sought.asked;
     const reach = { low: written(result, Math.min(...some)), high: written(result, Math.max(...some)) };
     const none = roots.length ? '' : text(some.length ? 'whatif.none' : 'whatif.nothing', reach);
+    const unknown = values.length - some.length;
+    const open = unknown && some.length ? text('whatif.unknown', { count: unknown, all: values.length }) : '';
     const leapt = leaps.length ? text('whatif.leaps', { count: leaps.length }) : '';
-    this.roots.replaceChildren(...buttons, [none, leapt].filter(Boolean).join(' '));
+    this.roots.replaceChildren(...buttons, [none, leapt, open].filter(Boolean).join(' '));
   }
   /**
    * @param {Sought} sought

@@ -6,7 +6,7 @@ import { shownOf } from './results.js';
 /** @import { Axis } from './axes.js' */
 /** @import { WhatIf } from './whatif.js' */
 
-const CURSORS = { point: 'grab', goal: 'move', bar: 'ns-resize', map: 'crosshair' };
+const CURSORS = { point: 'grab', letter: 'pointer', goal: 'move', bar: 'ns-resize', map: 'crosshair' };
 const ARROWS = /** @type {Record<string, [number, number]>} */ ({
   ArrowRight: [1, 0],
   ArrowLeft: [-1, 0],
@@ -18,7 +18,7 @@ const WHEEL = 0.003; // of a pixel of the wheel
 const LEAST = 0.05; // units of an axis that a map shows at least
 
 export class Hands {
-  /** @type {'point' | 'goal' | 'bar' | 'map' | null} */ drag = null;
+  /** @type {ReturnType<WhatIf['plane']['under']>} */ drag = null;
 
   /** @param {WhatIf} whatif */
   constructor(whatif) {
@@ -42,6 +42,7 @@ export class Hands {
     const [px, py] = this.#where(event);
     const under = view && !event.button ? plane.under(px, py) : null;
     if (!under) return;
+    if (under === 'letter') return this.whatif.designs.go(plane.letters.under(px, py) ?? '');
     this.drag = under;
     plane.over.setPointerCapture(event.pointerId);
     this.whatif.held = true;
@@ -124,7 +125,7 @@ export class Hands {
       const middle = from + shares[k] * (to - from);
       const long = Math.min(Math.max((to - from) * by, LEAST), longOf(axis));
       const first = Math.min(Math.max(middle - shares[k] * long, 0), longOf(axis) - long);
-      this.whatif.ranges.set(axis.name, [first, first + long]);
+      this.whatif.ranges.set(axis, [first, first + long]);
     });
     this.whatif.schedule();
   }
@@ -136,7 +137,7 @@ export class Hands {
       return from === 0 && to === longOf(axis);
     });
     for (const axis of [x, y])
-      this.whatif.ranges.set(axis.name, whole ? usualRange(axis, this.whatif.value(axis)) : [0, longOf(axis)]);
+      this.whatif.ranges.set(axis, whole ? usualRange(axis, this.whatif.value(axis)) : [0, longOf(axis)]);
     this.whatif.schedule();
   }
 }

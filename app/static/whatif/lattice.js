@@ -18,6 +18,7 @@ export class Lattice {
   /** @type {Set<number>} */ asked = new Set(); // points that are under way
   /** @type {Set<string>} */ halving = new Set(); // edges that are
   /** @type {Set<number>} */ spared = new Set(); // points between which a straight line will do
+  /** @type {Map<number, number[]>} */ left = new Map(); // points that the browser has no room for: values of both axes
   /** @type {Map<number, string>} */ why = new Map(); // points that are refused
 
   /** @param {number} number  of all that there were */

@@ -3,6 +3,7 @@ import { text } from '../text/catalogue.js';
 import { placeOf } from './places.js';
 import { PLACE, WIDTH } from './results.js';
 import { counted, halve } from './lattice.js';
+import { failedOf } from './points.js';
 
 /** @import { Window, Point } from './window.js' */
 /** @import { Job } from './points.js' */
@@ -11,13 +12,14 @@ import { counted, halve } from './lattice.js';
 const SPENT = { own: { held: 5, free: 9 }, served: { held: 200, free: 400 } }; // ms that a job takes
 export const TOLERANCE = 1e-5; // of a step through a contact law: colours need no more, and it is four times as quick
 const [FEW, MANY] = [4, 256]; // impacts in a job
+const LEFT = 16; // impacts in a job of those that the browser could not find
 
 export class MapJobs {
   /** @type {Window | null} */ view = null;
   /** @type {Point[][]} */ wanted = []; // by level
   /** @type {ReturnType<Window['halves']> | null} */ halves = null; // once they are looked for
   coarse = false; // whether the first picture is not yet whole
-  /** @type {{ key: string, found: Float64Array | null }} */ own = { key: '', found: null };
+  /** @type {{ key: string, of: string, found: Float64Array | null }} */ own = { key: '', of: '', found: null };
   under = 0; // jobs that are under way
 
   /** @param {WhatIf} whatif */
@@ -26,7 +28,7 @@ export class MapJobs {
   }
   get idle() {
     const others = this.whatif.modes.shown?.jobs.idle ?? true;
-    const found = !this.view || this.halves?.length === 0; // also where contacts change
+    const found = !this.view || (this.halves?.length === 0 && !this.view.lattice.left.size);
     return others && found && !this.under && !this.wanted.length;
   }
   /**
@@ -49,9 +51,9 @@ export class MapJobs {
   /** @returns {Job | null} */
   next() {
     const { view } = this;
-    const { gains, goal, modes } = this.whatif;
+    const { designs, gains, goal, modes } = this.whatif;
     if (!view && !modes.shown) return null;
-    const first = this.#own() ?? goal.pulling.next() ?? goal.seek.next();
+    const first = this.#own() ?? designs.next() ?? goal.pulling.next() ?? goal.seek.next();
     if (first) return first;
     if (!view) return modes.next(this.many) ?? gains.next();
     const gain = this.coarse ? null : gains.next();
@@ -73,9 +75,10 @@ export class MapJobs {
     if (key === this.own.key) return null;
     this.own.key = key;
     const rows = Float64Array.of(this.whatif.value(x), this.whatif.value(y));
-    return this.#job(rows, 0, (found) => {
-      if (found && !found[0]) this.own.found = found;
+    const job = this.#job(rows, 0, (found) => {
+      if (found && !found[0]) Object.assign(this.own, { found, of: key });
     });
+    return { ...job, wished: true };
   }
   /** Impacts in the time of a job. */
   get many() {
@@ -93,36 +96,42 @@ export class MapJobs {
     const keys = some.map(([i, j]) => view.key(i, j));
     for (const key of keys) lattice.asked.add(key);
     const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
-    return this.#job(rows, TOLERANCE, (found, why) => {
-      const left = keys.flatMap((key, k) => (found?.[k * WIDTH] ? [k] : []));
-      keys.forEach((key, k) => {
-        lattice.asked.delete(key);
-        if (!found) return;
-        lattice.keep(key, found, k);
-        if (found[k * WIDTH]) lattice.why.set(key, why?.get(k) ?? text('whatif.refused'));
-      });
-      if (left.length) this.#elsewhere(view, left.map((k) => some[k])); // prettier-ignore
+    const job = this.#job(rows, TOLERANCE, (found, why) => {
+      for (const key of keys) lattice.asked.delete(key);
+      if (!found) return;
+      const { points } = this.whatif;
+      keys.forEach((key, k) => lattice.keep(key, found, k));
+      for (const k of failedOf(found)) {
+        lattice.why.set(keys[k], why?.get(k) ?? text('whatif.refused'));
+        if (!points.serves) continue;
+        lattice.why.set(keys[k], text('whatif.left'));
+        lattice.left.set(keys[k], view.row(...some[k]));
+      }
+      points.feed();
     });
+    return { ...job, apart: true };
   }
   /**
-   * What the browser's kernels have no room for, the server finds.
-   * @param {Window} view
-   * @param {Point[]} some
+   * Impacts that the browser has no room for, the nearest to the scene first.
+   * @returns {Job | null}
    */
-  #elsewhere(view, some) {
+  rest() {
+    const { view } = this;
+    const { points, x, y } = this.whatif;
+    if (!view?.lattice.left.size || !points.serves || !points.base || !x || !y) return null;
     const { lattice } = view;
-    const { named, points } = this.whatif;
-    const rows = Float64Array.from(some.flatMap(([i, j]) => view.row(i, j)));
-    points.elsewhere({
-      ...{ chosen: this.whatif.chosen, names: [named.x, named.y], rows },
-      done: (found, _, why) => {
-        some.forEach(([i, j], k) => {
-          if (!found) return;
-          lattice.keep(view.key(i, j), found, k);
-          if (found[k * WIDTH]) lattice.why.set(view.key(i, j), why?.get(k) ?? text('whatif.refused'));
-        });
-        this.whatif.came();
-      },
+    const places = (/** @type {number[]} */ [a, b]) => [placeOf(view.axes.x, a), placeOf(view.axes.y, b)];
+    const here = places([this.whatif.value(x), this.whatif.value(y)]);
+    const off = (/** @type {number[]} */ row) => Math.hypot(...places(row).map((place, k) => place - here[k]));
+    const some = [...lattice.left].sort((a, b) => off(a[1]) - off(b[1])).slice(0, LEFT);
+    for (const [key] of some) lattice.left.delete(key);
+    const rows = Float64Array.from(some.flatMap(([, row]) => row));
+    return this.#job(rows, TOLERANCE, (found, why) => {
+      some.forEach(([key, row], k) => {
+        if (!found) lattice.left.set(key, row);
+        else lattice.keep(key, found, k);
+        if (found?.[k * WIDTH]) lattice.why.set(key, why?.get(k) ?? text('whatif.refused'));
+      });
     });
   }
   /**

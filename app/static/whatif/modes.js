@@ -62,6 +62,11 @@ export class Modes {
     if (mode !== this.mode) this.turn(mode);
     return rest === mode ? '' : rest;
   }
+  /** Another scene: nothing that was found is of it. */
+  forget() {
+    this.curves.forget();
+    this.tolerance.forget();
+  }
   /** What a link begins with. */
   get said() {
     return this.mode === 'map' ? '' : `${this.mode}:`;

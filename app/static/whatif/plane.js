@@ -7,6 +7,7 @@ import { Bar, tickOf } from './bar.js';
 import { colouring, paletteOf } from './colours.js';
 import { contoursOf, levelsOf, partsOf } from './contours.js';
 import { MANY } from './lattice.js';
+import { Letters } from './letters.js';
 import { COLOR, disc, mark, pill, stroke, word } from './ink.js';
 import { marksOf, writtenOn } from './places.js';
 import { Raster } from './raster.js';
@@ -23,6 +24,8 @@ const STEPS = { still: 2, moving: 3 }; // pixels of the page in one of the pictu
 const ROUND = 6; // pixels
 const LEAST_LINE = 32; // numbers of a contour, below which it is rounding
 const NARROW = 560; // pixels of the whole
+const WIDE = 46; // pixels about a number, for it to stand with its word
+const EDGE = 10; // pixels that a number keeps from the ends of the map
 const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
 
 /**
@@ -34,7 +37,8 @@ const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
  * @property {Result} result
  * @property {number} value
  * @property {number | null} wanted
- * @property {{ letter: string, at: Spot }[]} kept
+ * @property {import('./letters.js').Kept[]} kept
+ * @property {[from: Spot, to: Spot] | null} way  between two of them
  */
 
 export class Plane {
@@ -50,6 +54,7 @@ export class Plane {
   /** @type {Spot} */ at = [0, 0]; // of the point
   /** @type {Domain} */ domain = [0, 1];
   bar = new Bar();
+  letters = new Letters();
 
   constructor() {
     this.root = make('div', { className: 'whatif-map' }, this.base, this.over);
@@ -176,10 +181,16 @@ export class Plane {
   #count(c, view) {
     const parts = partsOf(view);
     if (parts.length < 2) return;
+    const { h, w } = this.plot;
+    const [X0, Y0] = view.spot(0, 0);
+    const [X1, Y1] = view.spot(1, 1);
+    const step = Math.min((X1 - X0) * w, (Y1 - Y0) * h); // pixels of a cell
     for (const { count, depth, i, j } of parts) {
       const [X, Y] = view.spot(i, j);
-      const [x, y] = [X * this.plot.w, (1 - Y) * this.plot.h];
-      const wide = depth > 4;
+      const inside = (/** @type {number} */ at, /** @type {number} */ end) =>
+        Math.min(Math.max(at, EDGE * scale), end - EDGE * scale);
+      const [x, y] = [inside(X * w, w), inside((1 - Y) * h, h)];
+      const wide = depth * step > WIDE * scale;
       if (depth < 1 || !this.#free(x, y)) continue;
       const many = count === MANY;
       const long = text(many ? 'whatif.many-contacts' : 'whatif.contacts', { count });
@@ -260,13 +271,7 @@ export class Plane {
     if (!this.narrow) this.bar.draw(c, plot, this.domain, shown);
     const spot = (/** @type {Spot} */ [p, q]) =>
       /** @type {Spot} */ ([plot.x + ((p - x0) / (x1 - x0)) * plot.w, plot.y + (1 - (q - y0) / (y1 - y0)) * plot.h]);
-    for (const { at, letter } of shown.kept) {
-      const [px, py] = spot(at);
-      if (!this.#holds(px, py)) continue;
-      disc(c, px, py, 11, COLOR.edge);
-      disc(c, px, py, 10, COLOR.kept);
-      word(c, letter, px, py + 0.5, { color: '#fff', weight: '700 ' });
-    }
+    this.letters.draw(c, plot, shown.kept, shown.way, spot);
     this.at = spot(shown.at);
     this.#point(c, shown, this.#holds(...this.at));
   }
@@ -312,10 +317,11 @@ export class Plane {
    * What lies under a pointer.
    * @param {number} px
    * @param {number} py
-   * @returns {'point' | 'goal' | 'bar' | 'map' | null}
+   * @returns {'point' | 'letter' | 'goal' | 'bar' | 'map' | null}
    */
   under(px, py) {
     if (Math.hypot(px - this.at[0], py - this.at[1]) < POINT.reach) return 'point';
+    if (this.letters.under(px, py)) return 'letter';
     const { plot } = this;
     if (!this.narrow && this.bar.holds(px) && py > plot.y - 8 && py < plot.y + plot.h + 8) return 'bar';
     if (!this.#holds(px, py)) return null;

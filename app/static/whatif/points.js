@@ -2,6 +2,7 @@
 // be found next is asked for only when one of them is free, so that the newest wish is always next.
 import { byOf, called, errorsOf } from '../text/words.js';
 import { Pool } from './pool.js';
+import { WIDTH } from './results.js';
 import { Served } from './server.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
@@ -13,6 +14,8 @@ import { Served } from './server.js';
  * @property {string[]} names  of choices that its impacts differ by
  * @property {Float64Array} rows  their values, impact by impact
  * @property {number} [tolerance]  of a step through a contact law; 0: that of the page's own answers
+ * @property {boolean} [wished]  whether somebody waits for it
+ * @property {boolean} [apart]  whether it is done without what the browser has no room for
  * @property {boolean} [file]  the scene file of the first impact is wanted, and by which keys the others differ from it
  * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>, file?: SceneFile) => void} done
  */
@@ -27,8 +30,9 @@ import { Served } from './server.js';
  * @property {() => void} leave
  */
 
-const MOST = 32; // jobs that wait for the server
 const QUICK = 3; // ms for an impact, above which it takes long
+const WHOLE = 3000; // ms that all points of a map may take, none spared
+const CELL = { least: 4, held: 7, most: 10 }; // pixels of a step of the lattice
 
 export class Points {
   /** @type {Source | null} */ source = null; // of what is shown
@@ -37,19 +41,20 @@ export class Points {
   solved = 0;
   /** @type {Job[]} */ files = []; // that the server is asked for
   /** @type {Job[]} */ queue = []; // that the server is asked while the browser finds the others
-  /** @type {Frame | null} */ asked = null; // what the server is asked about
   ready = false;
 
   /**
    * @param {Page} page
    * @param {() => Job | null} next
+   * @param {() => Job | null} rest  of what the browser could not find, on the map
    */
-  constructor(page, next) {
+  constructor(page, next, rest) {
     this.page = page;
     /** @type {Source} */ this.own = new Pool(() => (this.source === this.own ? this.#counted(next()) : null));
     /** @type {Source} */ this.served = new Served(
       page,
-      () => this.files.shift() ?? (this.source === this.served ? this.#counted(next()) : this.#left()),
+      () =>
+        this.files.shift() ?? (this.source === this.served ? this.#counted(next()) : (this.queue.shift() ?? rest())),
     );
     /** @type {Source[]} */ this.sources = [];
   }
@@ -60,12 +65,14 @@ export class Points {
     this.ready = true;
   }
   /**
+   * What the browser has no room for, the server finds before it is done.
    * @param {Job | null} job
    * @returns {Job | null}
    */
   #counted(job) {
     if (!job) return null;
     const count = job.rows.length / job.names.length;
+    const own = this.source === this.own;
     return {
       ...job,
       done: (found, spent, why) => {
@@ -73,13 +80,60 @@ export class Points {
           this.spent += 0.2 * (spent / count - this.spent);
           this.solved += count;
         }
-        job.done(found, spent, why);
+        const left = found && own && !job.apart ? failedOf(found) : [];
+        if (!found || !left.length || !this.#forward(job, found, left)) job.done(found, spent, why);
       },
     };
+  }
+  /**
+   * Have the server find the rows that are left; whether it can.
+   * @param {Job} job
+   * @param {Float64Array} found
+   * @param {number[]} left
+   */
+  #forward(job, found, left) {
+    const { names, rows } = job;
+    const { base, served } = this;
+    if (!base || !this.serves || !served.covers(base, names)) return false;
+    /** @type {Job} */
+    const forwarded = {
+      ...job,
+      rows: Float64Array.from(left.flatMap((k) => [...rows.subarray(k * names.length, (k + 1) * names.length)])),
+      done: (more, spent, why) => {
+        if (more) left.forEach((k, n) => found.set(more.subarray(n * WIDTH, (n + 1) * WIDTH), k * WIDTH));
+        job.done(found, spent, why && new Map([...why].map(([n, each]) => [left[n], each])));
+        this.feed(); // it may have been waited for
+      },
+    };
+    const first = job.wished ? this.queue.findIndex(({ wished }) => !wished) : -1;
+    this.queue.splice(first < 0 ? this.queue.length : first, 0, forwarded);
+    this.feed();
+    return true;
+  }
+  /** Whether there is a server that finds what the browser cannot. */
+  get serves() {
+    return this.source === this.own && this.sources.includes(this.served);
+  }
+  /** Nobody is asked for what waits. */
+  #drop() {
+    const { queue } = this;
+    this.queue = [];
+    for (const { done } of queue) done(null, 0);
   }
   /** Whether an impact is found in a moment. */
   get quick() {
     return this.source === this.own && this.spent < QUICK;
+  }
+  /**
+   * How far apart the points of a map are at least [px]: what lies between them, it does not show.
+   * @param {[width: number, height: number]} size  of the map [px]
+   * @param {boolean} held  whether it follows a hand
+   */
+  cell([width, height], held) {
+    const least = held ? CELL.held : CELL.least;
+    const fit = Math.sqrt((width * height * this.spent) / WHOLE);
+    const steady = 2 ** Math.round(Math.log2(fit / least)) * least; // whatever one measured time is
+    return Math.min(Math.max(steady, least), CELL.most);
   }
   /**
    * What the next are about: the scene as it is chosen, over these choices, whether they can be found; over others they
@@ -99,8 +153,9 @@ export class Points {
         if (same(base) && source.covers(base, source === this.own ? [...names, ...changed(base)] : names)) {
           if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
           if (source !== this.source || base !== this.base) {
+            this.#drop();
             source.scene(base);
-            this.queue = [];
+            if (source === this.own) this.served.scene(base);
           }
           Object.assign(this, { source, base });
           return true;
@@ -115,30 +170,6 @@ export class Points {
     return solved ? byOf(called(solved), errorsOf(solved)) : [];
   }
   /**
-   * What the browser could not find, the newest first.
-   * @returns {Job | null}
-   */
-  #left() {
-    return this.queue.pop() ?? null;
-  }
-  /**
-   * Have the server find what the browser could not.
-   * @param {Job} job
-   */
-  elsewhere(job) {
-    if (this.source !== this.own || !this.base || !this.sources.includes(this.served)) return;
-    if (!this.served.covers(this.base, job.names)) return;
-    this.#about(this.base);
-    this.queue.push(job);
-    if (this.queue.length > MOST) this.queue.shift();
-    this.served.feed();
-  }
-  /** @param {Frame} base  What the server is asked about. */
-  #about(base) {
-    if (this.asked !== base) this.served.scene(base);
-    this.asked = base;
-  }
-  /**
    * Have the server write a scene file.
    * @param {Omit<Job, 'done' | 'file'>} job
    * @returns {Promise<SceneFile | string>}  or why there is none
@@ -151,7 +182,6 @@ export class Points {
         take('');
         return;
       }
-      if (this.source !== this.served) this.#about(base);
       this.files.push({ ...job, file: true, done: (_, __, why, file) => take(file ?? why?.get(0) ?? '') });
       this.served.feed();
     });
@@ -162,13 +192,18 @@ export class Points {
   }
   /** Whatever is free is asked; the server only once it has answered the page itself. */
   feed() {
-    if (this.source === this.own || !this.page.changes.asked) this.source?.feed();
+    if (this.source === this.own) this.own.feed();
+    if (this.sources.includes(this.served) && !this.page.changes.asked) this.served.feed();
   }
   leave() {
     for (const each of this.sources) each.leave();
-    this.source = this.base = this.asked = null;
+    this.source = this.base = null;
     for (const { done } of this.files.splice(0)) done(null, 0);
-    this.queue = [];
+    this.#drop();
     this.sources = [];
   }
 }
+
+/** @param {Float64Array} found  The rows without an answer. */
+export const failedOf = (found) =>
+  Array.from({ length: found.length / WIDTH }, (_, k) => k).filter((k) => found[k * WIDTH]);

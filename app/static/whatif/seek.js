@@ -80,6 +80,7 @@ export class Seek {
     return {
       chosen,
       names: [...fixed.map(([name]) => name), axis.name],
+      wished: true,
       rows: Float64Array.from(places.flatMap((place) => [...others, valueAt(axis, place)])),
       done: (found) => {
         if (this.run !== run) return;

@@ -9,7 +9,7 @@ import { titleOf } from './results.js';
 export const SLOTS = { of: '⟦of⟧', x: '⟦x⟧', y: '⟦y⟧' }; // stand for the choices
 
 /** @param {Axis} axis */
-const nameOf = ({ of, title }) => (of ? `${title}, ${of}` : title);
+export const nameOf = ({ of, title }) => (of ? `${title}, ${of}` : title);
 
 export class Sentence {
   /** @type {Record<'of' | 'x' | 'y', HTMLSelectElement>} */ choices;

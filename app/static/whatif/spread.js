@@ -1,7 +1,7 @@
 // What many impacts about a scene say: quantiles, shares, and how much of the variance goes with each input alone.
 
-const STRIP = 40; // impacts in a strip of an input, at least
-const STRIPS = { least: 4, most: 32 };
+const STRIP = 60; // impacts in a strip of an input, about
+const STRIPS = { least: 8, most: 16 };
 const PRIMES = [2, 3, 5, 7, 11, 13, 17, 19];
 const SAME = 1e-12; // of the mean: what varies by less is the same everywhere
 const GOLDEN = 0.618; // of a prime: what its digits are mixed by
@@ -57,8 +57,9 @@ export function shareAbove(sorted, value) {
 }
 
 /**
- * The share of the variance that goes with one input alone, by the means of strips of it, less what as many strips of
- * nothing but chance would have; and what the result gains by straight line from the middle of the input to its end.
+ * The share of the variance that goes with one input alone, by the means of strips of it; and what the result gains by
+ * straight line from the middle of the input to its end. Inputs are even: in each strip the others are about all that
+ * they can be, so that its mean hardly hangs on chance.
  * @param {ArrayLike<number>} values
  * @param {(n: number) => number} inputOf  −1 to 1, of a value
  */
@@ -86,10 +87,7 @@ export function mattersOf(values, inputOf) {
   if (whole <= count * (SAME * mean) ** 2) return { share: 0, effect: 0 };
   let between = 0;
   for (let k = 0; k < strips; k++) if (counts[k]) between += sums[k] ** 2 / counts[k];
-  const used = counts.filter(Boolean).length;
-  const chance = count > used ? ((used - 1) * (whole - between)) / (count - used) : between;
-  const share = Math.min(Math.max((between - chance) / whole, 0), 1);
-  return { share, effect: width > 0 ? slope / width : 0 };
+  return { share: Math.min(between / whole, 1), effect: width > 0 ? slope / width : 0 };
 }
 
 /**

@@ -10,6 +10,7 @@ import { shortOf, shownOf, titleOf, written } from './results.js';
 /** @import { Domain } from './plane.js' */
 /** @import { Result } from './results.js' */
 
+const EVERY = 250; // ms between those that are drawn
 const ROUNDING = 1e-6; // of values: a scale that shows less would draw rounding
 const SIZE = /** @type {const} */ ([128, 88]); // pixels of a small map
 
@@ -50,6 +51,8 @@ export function domainOf(view, result) {
 
 export class Tiles {
   /** @type {Map<Result, Tile>} */ all = new Map();
+  drawn = 0; // when
+  due = 0;
 
   /** @param {(result: Result) => void} choose */
   constructor(choose) {
@@ -84,6 +87,15 @@ export class Tiles {
     }
   }
   /**
+   * Whether they were drawn a moment ago; then it is said when it is time.
+   * @param {() => void} then
+   */
+  wait(then) {
+    const rest = this.drawn + EVERY - performance.now();
+    if (rest > 0) this.due ||= window.setTimeout(() => [(this.due = 0), then()], rest);
+    return rest > 0;
+  }
+  /**
    * The small maps; their values are looked at anew only where they have changed.
    * @param {Window} view
    * @param {[x: number, y: number]} at  of the scene, 0 to 1 each
@@ -92,6 +104,7 @@ export class Tiles {
   draw(view, at, seen) {
     const anew = seen !== this.seen;
     this.seen = seen;
+    this.drawn = performance.now();
     for (const [name, tile] of this.all) {
       if (anew) tile.image = imageOf(view, tile.canvas, name);
       if (tile.image) drawSmall(tile.canvas, tile.image, at);

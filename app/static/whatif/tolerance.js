@@ -52,6 +52,10 @@ export class Tolerance {
     this.canvas.setAttribute('aria-describedby', this.said.id);
     this.list.ariaLabel = text('whatif.matters');
   }
+  forget() {
+    this.jobs.ask(null);
+    this.parts.clear();
+  }
   /** Measure its room; whether there is any. */
   measure() {
     return cleared(this.canvas, this.box);

@@ -71,5 +71,5 @@ function show(whatif, axis, ends) {
   if (!axis || ends.length !== 2) return;
   const inside = (/** @type {number} */ value) => Math.min(Math.max(value, axis.low), axis.high);
   const [from, to] = ends.map((end) => Math.min(Math.max(placeOf(axis, inside(end)), 0), longOf(axis)));
-  if (to - from >= LEAST - 1e-6) whatif.ranges.set(axis.name, [from, to]); // NaN is not
+  if (to - from >= LEAST - 1e-6) whatif.ranges.set(axis, [from, to]); // NaN is not
 }

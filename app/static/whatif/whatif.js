@@ -5,7 +5,8 @@ import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { Along } from './along.js';
-import { axesOf } from './axes.js';
+import { axesOf, usualFirst, valueIn } from './axes.js';
+import { Designs } from './designs.js';
 import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
@@ -14,8 +15,9 @@ import { Window } from './window.js';
 import { MapJobs } from './map_jobs.js';
 import { Modes } from './modes.js';
 import { Plane } from './plane.js';
-import { placeOf, usualRange } from './places.js';
+import { placeOf } from './places.js';
 import { Points } from './points.js';
+import { Ranges } from './ranges.js';
 import { NAMES, shownOf, valueOf } from './results.js';
 import { follow, saidOf } from './view_link.js';
 import { Sentence } from './sentence.js';
@@ -29,9 +31,7 @@ import { Tiles, domainOf } from './tiles.js';
 /** @import { Result } from './results.js' */
 
 const KEPT = 16; // lattices
-const FIRST = ['mass_ratio', 'speed']; // axes where nobody has chosen any, after what sets how stiff the contact is
 const STREAM = 100; // ms between pictures of what comes in while nothing is held
-const TILES = 250; // ms between those of the small maps
 const OFTEN_NONE = ['target_velocity', 'dissipated', 'contact_time', 'vibration']; // where held, or in no time
 const LEAST = 1e-9;
 const OFF = 0.12; // of a scale, that the values may be off by before it follows
@@ -40,7 +40,7 @@ export class WhatIf {
   /** @type {Axis[]} */ axes = [];
   /** @type {Result} */ result = 'peak_force';
   /** @type {Record<'x' | 'y', string>} */ named = { x: '', y: '' };
-  /** @type {Map<string, [from: number, to: number]>} */ ranges = new Map(); // places that are shown, by axis
+  ranges = new Ranges();
   /** @type {Map<string, Lattice>} */ lattices = new Map();
   /** @type {Lattice | null} */ lattice = null;
   /** @type {Window | null} */ view = null;
@@ -57,8 +57,6 @@ export class WhatIf {
   numbered = 0; // lattices so far
   due = 0;
   /** @type {number | undefined} */ streaming;
-  tiled = 0; // when the small maps were drawn
-  tiling = 0;
 
   /**
    * @param {Page} page
@@ -67,10 +65,12 @@ export class WhatIf {
   constructor(page, close) {
     this.page = page;
     this.jobs = new MapJobs(this);
-    this.points = new Points(page, () => (this.open ? this.jobs.next() : null));
+    const of = (/** @type {'next' | 'rest'} */ name) => () => (this.open ? this.jobs[name]() : null);
+    this.points = new Points(page, of('next'), of('rest'));
     this.sentence = new Sentence((slot, name) => this.choose(slot, name));
     this.plane = new Plane();
     this.goal = new Goal(this);
+    this.designs = new Designs(this);
     this.gains = new Gains(this);
     this.tiles = new Tiles((result) => this.choose('of', result));
     this.status = make('p', { className: 'whatif-status', role: 'status' });
@@ -80,11 +80,11 @@ export class WhatIf {
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
     this.along = new Along(this);
-    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root);
-    this.head.append(this.along.root, this.back);
-    this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root);
-    const foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
-    this.parts = [this.head, this.plane.root, ...this.modes.parts, foot, this.side];
+    const buttons = [this.designs.keep, this.along.root, this.back];
+    this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root, ...buttons);
+    this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root, this.designs.root);
+    this.foot = make('div', { className: 'whatif-foot' }, this.status, this.words);
+    this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
     this.hands = new Hands(this);
   }
   /**
@@ -95,8 +95,7 @@ export class WhatIf {
     if (this.open) return;
     this.open = true;
     this.asked = this.modes.follow(said);
-    this.page.root.dataset.whatif = this.modes.mode;
-    this.page.root.append(...this.parts);
+    this.place();
     if (!this.points.ready) {
       write(this.status, text('whatif.preparing'));
       await this.points.prepare();
@@ -105,14 +104,25 @@ export class WhatIf {
     this.take();
     this.page.place();
   }
+  /** Take the place of the picture. */
+  place() {
+    this.page.root.dataset.whatif = this.modes.mode;
+    this.page.compare.reach();
+    this.page.root.append(...this.parts);
+  }
+  /** Give it back. */
+  clear() {
+    delete this.page.root.dataset.whatif;
+    this.page.compare.reach();
+    for (const part of this.parts) part.remove();
+  }
   /** What a link says of it. */
   get said() {
     return saidOf(this);
   }
   leave() {
     this.open = false;
-    delete this.page.root.dataset.whatif;
-    for (const part of this.parts) part.remove();
+    this.clear();
     this.gains.leave();
     this.points.leave();
     this.points.ready = false;
@@ -136,18 +146,12 @@ export class WhatIf {
    * The present value of an axis.
    * @param {Axis} axis
    */
-  value({ body, name }) {
-    if (!body) return Number(this.chosen[name]);
-    const values = this.page.frame.parts.flatMap(({ key, values: all }) =>
-      all.map((each) => /** @type {const} */ ([`${key}.${each.quantity}`, each.value])),
-    );
-    return Number(values.find(([key]) => key === name)?.[1]);
+  value(axis) {
+    return valueIn(axis, this.page.frame);
   }
   /** @param {Axis} axis  Places that are shown. */
   range(axis) {
-    const known = this.ranges.get(axis.name) ?? usualRange(axis, this.value(axis));
-    this.ranges.set(axis.name, known);
-    return known;
+    return this.ranges.of(axis, this.value(axis));
   }
   /** Another answer is shown, of the server or of the browser itself. */
   take() {
@@ -162,6 +166,7 @@ export class WhatIf {
       this.scene = scene;
       this.ranges.clear();
       this.lattices.clear();
+      this.modes.forget();
       this.wanted = {};
       this.named = { x: '', y: '' };
     }
@@ -172,12 +177,10 @@ export class WhatIf {
   }
   /** Axes that there are. */
   #settle() {
-    const { axes } = this;
-    const stiff = axes.filter(({ name }) => name.endsWith('stiffness')).map(({ name }) => name);
-    const usual = [...new Set(['mass_ratio', ...stiff, ...FIRST, ...axes.map(({ name }) => name)])];
-    const there = usual.filter((name) => this.axis(name) && !this.axis(name)?.whole);
+    const there = usualFirst(this.axes);
     if (!this.axis(this.named.x)) this.named.x = there.find((name) => name !== this.named.y) ?? '';
     if (!this.axis(this.named.y)) this.named.y = there.find((name) => name !== this.named.x) ?? '';
+    for (const axis of this.axes) this.ranges.follow(axis, this.value(axis));
   }
   /**
    * @param {'of' | 'x' | 'y'} slot
@@ -225,21 +228,31 @@ export class WhatIf {
     }
     const results = this.#results();
     if (this.jobs.own.found && !results.includes(this.result)) [this.result] = results;
-    this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
-    this.tiles.offer(results);
     if (shown) this.#instead(shown, results);
     else {
       this.#look(x, y);
       this.#paint();
       this.over();
-      this.#tile();
     }
+    this.beside(results);
+    this.say();
+    points.feed();
+  }
+  /**
+   * All that stands beside the map: title, small maps, what is wanted, what each choice does.
+   * @param {Result[]} results
+   */
+  beside(results) {
+    const { x, y } = this;
+    this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
+    this.tiles.offer(results);
+    this.designs.follow();
+    if (this.modes.shown) this.tiles.say((result) => this.here(result), this.result);
+    else this.#tile();
     this.goal.follow();
     this.goal.draw();
     this.gains.follow();
-    this.#say();
     this.along.follow();
-    points.feed();
   }
   /**
    * What of the lattice is seen, where that is not known already.
@@ -250,11 +263,12 @@ export class WhatIf {
     const lattice = this.#lattice();
     const [[x0, x1], [y0, y1]] = [this.range(x), this.range(y)];
     const { h, w } = this.plane.plot;
-    const seen = JSON.stringify([lattice.number, lattice.version, x0, x1, y0, y1, w, h]);
+    const cell = this.points.cell([w, h], this.held);
+    const seen = JSON.stringify([lattice.number, lattice.version, x0, x1, y0, y1, w, h, cell]);
     if (this.view && seen === this.seen) return;
     this.seen = seen;
     this.lattice = lattice;
-    this.view = new Window(lattice, { x, y, x0, x1, y0, y1 }, [w, h], this.points.quick);
+    this.view = new Window(lattice, { x, y, x0, x1, y0, y1 }, [w, h], cell);
     this.jobs.plan(this.view);
   }
   /** The map, where anything that it shows has changed. */
@@ -290,7 +304,6 @@ export class WhatIf {
     this.view = null;
     this.seen = '';
     this.jobs.plan(null);
-    this.tiles.say((result) => this.here(result), this.result);
     shown.draw(results);
     this.domain = shown.domain;
     this.domainOf = '';
@@ -303,7 +316,7 @@ export class WhatIf {
     const at = /** @type {[number, number]} */ ([placeOf(x, values[0]), placeOf(y, values[1])]);
     const wanted = this.wanted[this.result] ?? null;
     plane.drawOver(
-      { x, y, at, values, result: this.result, value: this.here(this.result), wanted, kept: [] },
+      { x, y, at, values, result: this.result, value: this.here(this.result), wanted, ...this.designs.shown },
       view.axes,
     );
   }
@@ -341,22 +354,17 @@ export class WhatIf {
   }
   #tile() {
     this.tiles.say((result) => this.here(result), this.result);
-    const now = performance.now();
-    const wait = this.tiled + TILES - now;
-    if (wait > 0) {
-      this.tiling ||= window.setTimeout(() => [(this.tiling = 0), this.schedule()], wait);
-      return;
-    }
     const { view, x, y } = this;
-    if (!view || (this.held && this.jobs.coarse)) return;
-    this.tiled = now;
+    const wait = this.tiles.wait(() => this.schedule());
+    if (wait || !view || (this.held && this.jobs.coarse)) return;
     const share = (/** @type {Axis} */ axis) => {
       const [from, to] = this.range(axis);
       return (placeOf(axis, this.value(axis)) - from) / (to - from);
     };
     if (this.tiles.draw(view, [share(x), share(y)], this.seen)) this.filled = ''; // it is with another result by now
   }
-  #say() {
+  /** How many impacts there are, by what, and how wrong that is. */
+  say() {
     const { points } = this;
     const count = grouped(points.solved);
     const where = points.source === points.own ? 'browser' : 'server';

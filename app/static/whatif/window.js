@@ -11,7 +11,6 @@ const FINEST = 12; // levels: steps of 2^-level
 const LEAST = 3; // so that the coarse points have a step that divides one
 const COARSE = 8; // steps of the first picture, in steps of the finest
 const ROW = 2 ** 24;
-const CELL = [7, 10]; // pixels, at least, of a step: where one is found in a moment, and where that takes longer
 const STRAIGHT = 0.002; // of its scale, or of a decade: what a straight line may be off by
 const HALVINGS = 5; // of a step of the lattice, until a change of contacts is found to 1e-3 of an axis
 
@@ -28,14 +27,13 @@ export class Window {
    * @param {Lattice} lattice
    * @param {Axes} axes
    * @param {[width: number, height: number]} size  of the plot [px]
-   * @param {boolean} quick  whether a point is found in a moment
+   * @param {number} cell  of a step of the lattice at least [px]
    */
-  constructor(lattice, axes, size, quick) {
+  constructor(lattice, axes, size, cell) {
     Object.assign(this, { axes, lattice, size });
     this.lattice = lattice;
     this.axes = axes;
     this.size = size;
-    const cell = CELL[quick ? 0 : 1];
     const along = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ pixels) => {
       const level = Math.floor(-Math.log2((cell * (to - from)) / pixels));
       const step = 2 ** -Math.min(Math.max(level, LEAST), FINEST);
@@ -105,9 +103,21 @@ export class Window {
    */
   why(X, Y) {
     const { axes, first, steps } = this;
-    const i = Math.round((axes.x0 + X * (axes.x1 - axes.x0)) / steps[0]) - first[0];
-    const j = Math.round((axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1]) - first[1];
-    return this.lattice.why.get(this.key(i, j)) ?? null;
+    const i = (axes.x0 + X * (axes.x1 - axes.x0)) / steps[0] - first[0];
+    const j = (axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1] - first[1];
+    if (!this.#refused(Math.round(i), Math.round(j))) return null;
+    for (let s = 1; s <= COARSE; s *= 2) {
+      const found = this.lattice.why.get(this.key(s * Math.round(i / s), s * Math.round(j / s)));
+      if (found) return found; // a finer point has none of its own where it was filled from coarser ones
+    }
+    return null;
+  }
+  /**
+   * @param {number} i
+   * @param {number} j
+   */
+  #refused(i, j) {
+    return this.contacts[j * this.nx + i] < 0;
   }
   /** Find again which points are known. */
   look() {

@@ -141,6 +141,7 @@ def test_a_whole_lesson():
         ["scene", "text", "choice", "after"],
         ["scene", "text", "sketch", "after"],
         ["scene", "text", "set"],
+        ["scene", "text", "choice", "after"],
         ["scene", "text", "number"],
         ["scene", "text", "order"],
         ["summary"],
@@ -158,7 +159,7 @@ def test_the_record_is_plain():
     assert json.loads(json.dumps(record, allow_nan=False)) == record
     assert len(nodes_in(record)) > 50
     assert record["steps"][0]["parts"][0] == {
-        "kind": "scene", "scene": None, "changes": {"mass_ratio": 0.8}, "show": ["bodies"],
+        "kind": "scene", "scene": None, "changes": {"mass_ratio": 0.8}, "show": ["bodies"], "map": [],
         "beside": {}, "play": [-0.2, 1.85], "at": None, "time": "T", "sliders": [],
     }  # fmt: skip
     text = record["steps"][0]["parts"][1]["nodes"]
