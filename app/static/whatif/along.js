@@ -175,7 +175,7 @@ export class Along {
     }
     const help =
       what === 'study' ? text('whatif.code-help-study', { file }) : text('whatif.code-help-uncertain', { file });
-    const rest = left.length ? text('whatif.left', { names: left.join(', ') }) : '';
+    const rest = left.length ? text('whatif.left-out', { names: left.join(', ') }) : '';
     this.status.textContent = `${help} ${rest}`.trim();
   }
   /** @returns {Promise<Found | string>} */

@@ -242,7 +242,7 @@ def test_a_link_holds_what_is_seen(open_page):
     page.tab.get_by_role("button", name="Tolerance", exact=True).click()
     page.tab.get_by_role("button", name="More: Impact speed").click()
     page.wait("() => /^tolerance:.*,tolerance:speed:0.05$/.test(new URLSearchParams(location.search).get('whatif'))")
-    seen = f"""() => [{WHATIF}.said, {WHATIF}.ranges.get('speed').map((place) => place.toFixed(3)),
+    seen = f"""() => [{WHATIF}.said, {WHATIF}.ranges.shown.get('speed').map((place) => place.toFixed(3)),
       {WHATIF}.goal.gives, {WHATIF}.goal.holds, {WHATIF}.modes.tolerance.parts.get('speed'), {WHATIF}.modes.mode]"""
     before = page.evaluate(seen)
     query = page.evaluate("() => location.search")
@@ -261,5 +261,8 @@ def test_a_link_holds_what_is_seen(open_page):
 def test_what_a_link_cannot_say_is_passed_over(open_page, said):
     page = open_page(f"?whatif={said}")
     page.wait(DONE)
-    assert page.evaluate(f"() => [{WHATIF}.goal.holds, {WHATIF}.ranges.get('mass_ratio').join()]") == [False, "1.5,4.5"]
+    assert page.evaluate(f"() => [{WHATIF}.goal.holds, {WHATIF}.ranges.shown.get('mass_ratio').join()]") == [
+        False,
+        "1.5,4.5",
+    ]
     expect(page.tab.locator(".toast")).to_be_hidden()
