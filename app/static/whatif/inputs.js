@@ -11,7 +11,8 @@ const SAID = ['title', 'source', 'note', 'saved', 'view']; // of a scene file: n
 const PART = /^(?:impactor|target)\.(?:(?:rods|links|joints)\.\d+\.)?/;
 /** @type {Record<string, string>} */
 const UNITS = {
-  ...{ 'contact.yield_indentation': 'm', 'contact.full_indentation': 'm', 'method.duration': 's' },
+  ...{ 'contact.yield_indentation': 'm', 'contact.full_indentation': 'm' },
+  duration: 's',
   ...{ impactor_velocity: 'm/s', target_velocity: 'm/s', peak_force: 'N', contact_time: 's' },
   ...{ peak_indentation: 'm', peak_stress: 'Pa' },
 };
@@ -104,7 +105,8 @@ class Reader {
  * @param {Design[]} designs
  */
 function unitOf(key, designs) {
-  if (key !== STIFFNESS) return UNITS[key] ?? (PART.test(key) ? (BODIES[key.replace(PART, '')] ?? '') : '');
+  if (key !== STIFFNESS)
+    return UNITS[key.replace(/^method\./, '')] ?? (PART.test(key) ? (BODIES[key.replace(PART, '')] ?? '') : '');
   const powers = new Set(designs.map(({ frame }) => roomOf(frame).law(frame).exponent));
   const [power] = powers;
   return powers.size > 1 ? 'N/m^n' : power === 1 ? 'N/m' : `N/m^${power}`;

@@ -81,6 +81,7 @@ export class WhatIf {
     const back = { type: 'button', className: 'whole whatif-back', textContent: text('whatif.back'), onclick: close };
     this.back = make('button', /** @type {any} */ (back));
     this.back.title = text('whatif.back-about');
+    this.back.ariaLabel = this.back.textContent; // on a phone it is a sign
     this.along = new Along(this);
     this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root);
     this.head.append(this.designs.keep, this.along.root, this.back);
