@@ -36,7 +36,7 @@ def read_map(fields: Fields, stage: Stage) -> tuple[str, ...]:
     given = fields.take("map")
     if given is None:
         return ()
-    settings = stage.numeric()
+    settings = stage.mapped()
     listed = isinstance(given, list) and len(given) == 3 and all(isinstance(each, str) for each in given)
     if listed and given[0] in RESULTS and {*given[1:]} <= {*settings} and given[1] != given[2]:
         return tuple(given)

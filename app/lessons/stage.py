@@ -6,7 +6,7 @@ from typing import Any
 
 import param
 
-from solvers import Scene
+from solvers import LAWS, Scene
 from solvers.validation import allowed, shown
 
 from ..choices.built_in import base_of
@@ -73,6 +73,12 @@ class Stage:
     def numeric(self) -> list[str]:
         """Those of them that a slider can have."""
         return [name for name in self.acting() if isinstance(Choices.param[name], param.Number)]
+
+    def mapped(self) -> list[str]:
+        """Those that can be an axis of a map; none of a restitution that is a prediction's alone."""
+        law = LAWS[self.own()["law"]]
+        predicted = self.kind in ("axial", "beam") and not law.LOSSY
+        return [name for name in self.numeric() if not (predicted and name == "restitution")]
 
     def change(self, fields: Fields) -> dict[str, Any]:
         """Take the settings of a table `changes`."""

@@ -14,6 +14,7 @@ const KEYS = [
   'pace',
   'loop',
   'keep',
+  'map',
   'undo',
   'redo',
   'slider',

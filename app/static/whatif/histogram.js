@@ -68,7 +68,7 @@ export function drawHistogram(c, width, height, { here, narrow, result, samples,
   c.fillRect(left, base, right - left, 1);
   drawTicks(c, result, range, xOf, (right - left) / TICK / scale, width, base);
   if (!whole) drawQuantiles(c, result, quantiles, xOf, [top, base], [left, right], narrow);
-  drawKey(c, contacts, counts, left, narrow);
+  const key = drawKey(c, contacts, counts, left, narrow);
   if (wanted !== null && wanted > low && wanted < high) {
     c.strokeStyle = COLOR.accent;
     c.lineWidth = 1.5;
@@ -76,7 +76,10 @@ export function drawHistogram(c, width, height, { here, narrow, result, samples,
     mark(c, xOf(wanted), top - 10, 0, base - top + 10);
     c.setLineDash([]);
   }
-  if (wanted !== null) drawShare(c, shareAbove(sorted, wanted), written(result, wanted), xOf(wanted), [left, right]);
+  if (wanted !== null) {
+    const free = /** @type {[number, number]} */ ([narrow ? left : key, right]);
+    drawShare(c, shareAbove(sorted, wanted), written(result, wanted), xOf(wanted), free, narrow);
+  }
   if (!(here >= low && here <= high)) return;
   c.strokeStyle = COLOR.accent;
   c.lineWidth = 2;
@@ -170,9 +173,10 @@ function drawQuantiles(c, result, [p5, p50, p95], xOf, [top, base], [left, right
  * @param {number[]} counts
  * @param {number} left
  * @param {boolean} narrow
+ * @returns {number} where it ends
  */
 function drawKey(c, contacts, counts, left, narrow) {
-  if (counts.length < 2) return;
+  if (counts.length < 2) return left;
   let x = left;
   const y = 13 * scale;
   const frequent = counts.map((count) => contacts.filter((each) => each === count).length / contacts.length);
@@ -186,6 +190,7 @@ function drawKey(c, contacts, counts, left, narrow) {
     c.font = letters(13);
     x += 18 + c.measureText(words).width + 16;
   });
+  return x;
 }
 
 /**
@@ -194,13 +199,14 @@ function drawKey(c, contacts, counts, left, narrow) {
  * @param {string} value
  * @param {number} x
  * @param {[left: number, right: number]} across
+ * @param {boolean} narrow
  */
-function drawShare(c, share, value, x, [left, right]) {
+function drawShare(c, share, value, x, [left, right], narrow) {
   const words = text('whatif.above', { share: percentOf(share), value });
   c.font = letters(14, '600 ');
   const half = c.measureText(words).width / 2;
   const at = Math.min(Math.max(x, left + half), right - half);
-  word(c, words, at, right - left < 500 ? 34 * scale : 14 * scale, { size: 14, weight: '600 ', color: COLOR.accent });
+  word(c, words, at, (narrow ? 34 : 14) * scale, { size: 14, weight: '600 ', color: COLOR.accent });
 }
 
 /**

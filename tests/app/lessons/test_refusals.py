@@ -129,6 +129,7 @@ def test_heads(old, new, line, said):
         (fence("sketch", SKETCH + 'jump = [0, 1]\nyes = "Yes."'), 14, "judge[1].jump: got [0, 1]; allowed: a time in"),
         (fence("scene", 'show = ["map"]\nmap = ["peak", "speed", "mass_ratio"]'), 11, "map: got ['peak', 'spe"),
         (fence("scene", 'show = ["map"]\nmap = ["contacts", "speed", "law"]'), 11, "map: got ['contacts', 's"),
+        (fence("scene", 'show = ["map"]\nmap = ["contacts", "speed", "restitution"]'), 11, "map: got ['contacts', 's"),
         (fence("scene", 'show = ["map"]\nmap = ["contacts", "speed", "speed"]'), 11, "map: got ['contacts', 'speed'"),
         (fence("scene", 'show = ["map"]\nmap = ["contacts", "speed"]'), 11, "map: got ['contacts', 'speed']; a"),
         (fence("scene", 'show = ["map"]\nmap = "contacts"'), 11, "map: got 'contacts'; allowed: result, across a"),
