@@ -20,17 +20,15 @@ const BEFORE = {
   'sharing/class_link.js': [PAGE],
   'take/files.js': [PAGE],
   'wasm/answers.js': [PAGE],
-  'whatif/whatif.js': [PAGE, 'wasm/answers.js'],
-  'whatif/taught.js': [PAGE, 'wasm/answers.js', 'whatif/whatif.js'],
+  'whatif/entry.js': [PAGE, 'wasm/answers.js'],
 };
 // a folder without a server: scripts that are no modules, as browsers allow none to pages from the disk
 const OFFLINE = {
-  'offline/scenes.js': ['gallery/gallery.js', 'take/files.js', 'whatif/whatif.js'],
+  'offline/scenes.js': ['gallery/gallery.js', 'take/files.js', 'whatif/entry.js'],
   'offline/lessons.js': [
     'gallery/gallery.js',
     'take/files.js',
-    'whatif/whatif.js',
-    'whatif/taught.js',
+    'whatif/entry.js',
     'lesson/lesson.js',
     'courses/courses.js',
   ],

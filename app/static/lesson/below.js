@@ -76,7 +76,7 @@ export class Below {
     if (!this.fetched) {
       this.fetched = true;
       try {
-        const { TaughtMap: Map } = await late('whatif/taught.js');
+        const { TaughtMap: Map } = await late('whatif/entry.js');
         this.map = new Map(page, this.moves);
       } catch {
         this.fetched = false;

@@ -30,8 +30,8 @@ export class Door {
     if (opening.plan !== 'opening') opening.turn('opening');
     this.opened = true;
     try {
-      /** @type {typeof import('../whatif/whatif.js')} */
-      const { WhatIf: Map } = await late('whatif/whatif.js');
+      /** @type {typeof import('../whatif/entry.js')} */
+      const { WhatIf: Map } = await late('whatif/entry.js');
       this.whatif ??= new Map(this.page, () => this.close());
     } catch {
       this.opened = false; // the server is gone

@@ -171,13 +171,13 @@ export class Curves {
     /** @type {[left: number, right: number][]} */
     const taken = [];
     for (const { at, words } of all.sort((a, b) => Math.abs(a.at - here) - Math.abs(b.at - here))) {
-      c.font = letters(12, '');
+      c.font = letters(13, '');
       const half = c.measureText(words).width / 2;
       const middle = Math.min(Math.max(at, x + half), x + w - half);
       const [left, right] = [middle - half - 4, middle + half + 4];
       if (taken.some(([from, to]) => left < to && right > from)) continue;
       taken.push([left, right]);
-      word(c, words, middle, y, { size: 12 });
+      word(c, words, middle, y);
     }
   }
   /** @param {number} place */

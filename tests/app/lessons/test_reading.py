@@ -141,7 +141,6 @@ def test_a_whole_lesson():
         ["scene", "text", "choice", "after"],
         ["scene", "text", "sketch", "after"],
         ["scene", "text", "set"],
-        ["scene", "text", "choice", "after"],
         ["scene", "text", "number"],
         ["scene", "text", "order"],
         ["summary"],

@@ -67,7 +67,6 @@ def bounce():
         "wave-speed": 2.0 * rod.length / unit,
         "T": 1e6 * unit,
         "half": 0.5e6 * unit,
-        "ratio": rod.mass / solution.scene.impactor.mass,
     }
 
 
@@ -80,7 +79,7 @@ def test_numbers_of_bounce_twice(language):
     values = {
         "2.7": found["mass"], "1": found["speed"], "2.6": CHART, "36.7": found["force"], "2.03": found["touch-2"],
         "2.20": found["part-2"], "2": 2.0 * found["round-trip"], "0.3": found["length"], "5156": found["wave-speed"],
-        "116": found["T"], "1000": SIZE, "0.8": found["ratio"],
+        "116": found["T"], "1000": SIZE,
     }  # fmt: skip
     assert_numbers("bounce-twice", language, values)
 
@@ -88,7 +87,7 @@ def test_numbers_of_bounce_twice(language):
 def test_answers_of_bounce_twice():
     found = bounce()
     steps = shipped_lesson("bounce-twice").steps
-    sketch, number = steps[1].parts[2], steps[4].parts[2]
+    sketch, number = steps[1].parts[2], steps[3].parts[2]
     assert same("36.7", found["force"]) and sketch.given == (0.0, 36.7)
     assert found["jump"] == pytest.approx(2.0, rel=0.01)
     assert 1.6 < found["part"] < 1.85 < found["touch-2"] < found["part-2"] < 2.6 == sketch.until
@@ -104,14 +103,6 @@ def test_why_there_is_one_contact(ratio, fewer):
     assert len(solution.contacts) == fewer
     end = solution.contacts[0].end / solution.scene.time_unit
     assert end > 2.0 if ratio < 0.6 else end < 2.0
-
-
-@pytest.mark.parametrize("speed", [0.05, 1.0, 20.0])
-def test_speed_changes_neither_contacts_nor_their_times(speed):
-    slow, fast = (solution_of(shipped_lesson("bounce-twice").steps[3], speed=each) for each in (1.0, speed))
-    assert len(fast.contacts) == len(slow.contacts) == 2
-    assert [each.end for each in fast.contacts] == pytest.approx([each.end for each in slow.contacts], rel=1e-9)
-    assert fast.peak_force == pytest.approx(speed * slow.peak_force, rel=1e-9)
 
 
 @pytest.mark.parametrize("language", ["en", "es"])

@@ -107,10 +107,6 @@ def test_a_lesson_is_walked_through_with_a_pointer(open_page):
     page.answered(lambda: slide(slider, 80))
     expect(page.tab.locator(".lesson-more")).to_contain_text("on either side")
     onwards(page)
-    page.tab.get_by_label("Yes, at any speed").check()
-    button(page, "Show what happens").click()
-    expect(page.tab.locator(".whatif-taught")).to_be_visible()
-    onwards(page)
     expect(page.tab.locator(".clock")).not_to_contain_text("µs")
     number = page.tab.get_by_label("Your number")
     page.tab.get_by_label("Unit").select_option("µs")
@@ -133,11 +129,11 @@ def test_a_lesson_is_walked_through_with_a_pointer(open_page):
     expect(page.tab.locator(".lesson-said")).to_contain_text("All in order")
     assert page.tab.locator(".lesson-lines em").all_inner_texts()[:3] == ["0 T", "0.5 T", "1 T"]
     onwards(page)
-    expect(page.tab.locator(".lesson-sum")).to_have_count(6)
-    expect(page.tab.locator(".lesson-sum").nth(4)).to_contain_text("116.4")
+    expect(page.tab.locator(".lesson-sum")).to_have_count(5)
+    expect(page.tab.locator(".lesson-sum").nth(3)).to_contain_text("116.4")
     expect(button(page, "Next →")).to_have_count(0)
     expect(button(page, "All lessons")).to_be_in_viewport()  # no lesson follows
-    assert page.tab.url.endswith("?lesson=bounce-twice&step=7")
+    assert page.tab.url.endswith("?lesson=bounce-twice&step=6")
     page.tab.go_back()
     ready(page)
     expect(page.tab.get_by_role("heading", name="What follows what?")).to_be_visible()
@@ -185,7 +181,7 @@ def test_a_phone_has_all_of_it_and_keys_draw_too(open_page):
     assert judged(page) == ["✓", "✓", "✓", "○", "✓"]
     found["judged"] = findings(page)
     button(page, "Lay it beside the picture").click()
-    for step in ("set", "map", "number", "order", "summary"):
+    for step in ("set", "number", "order", "summary"):
         button(page, "Next →").or_(button(page, "Skip →")).click()
         ready(page)
         page.fits(390)
@@ -196,10 +192,10 @@ def test_a_phone_has_all_of_it_and_keys_draw_too(open_page):
 def test_no_rule_of_access_is_broken_on_a_desk(open_page):
     page = open_page(LESSON)
     found = {}
-    for step in range(1, 8):
+    for step in range(1, 7):
         ready(page)
         found[step] = findings(page)
-        if step < 7:
+        if step < 6:
             page.tab.locator(".lesson-moves button:visible").last.click()
     assert {step: broken for step, broken in found.items() if broken} == {}
 
