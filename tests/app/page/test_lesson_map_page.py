@@ -60,7 +60,7 @@ def test_a_stiffness_is_found_on_the_map(open_page, size):
     over.focus()
     over.press("ArrowDown")
     over.press("ArrowRight")  # nothing, as the step leaves no speed
-    page.wait("() => strikewave.page.frame.chosen.hertz_stiffness < 1.6e10")
+    page.wait("() => strikewave.page.frame.chosen.hertz_stiffness < 1.68e10")
     over.scroll_into_view_if_needed()
     box = over.bounding_box()
     x, y = page.evaluate(POINT)
