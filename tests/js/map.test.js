@@ -3,7 +3,16 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { changeAt } from '../../app/static/whatif/borders.js';
 import { Lattice, MANY, counted, halve } from '../../app/static/whatif/lattice.js';
-import { longOf, marksOf, placeOf, roundAt, sureOf, usualRange, valueAt } from '../../app/static/whatif/places.js';
+import {
+  longOf,
+  marksOf,
+  placeOf,
+  roundAt,
+  sureOf,
+  usualRange,
+  valueAt,
+  writtenOn,
+} from '../../app/static/whatif/places.js';
 import { PLACE, WIDTH } from '../../app/static/whatif/results.js';
 import { Seek, nearestTo } from '../../app/static/whatif/seek.js';
 import { contoursOf, levelsOf } from '../../app/static/whatif/contours.js';
@@ -66,6 +75,12 @@ test('marks stand at round values within the axis', () => {
   }
   const metres = { ...axis('length', 0.06, 0.6), factor: 1e-3 };
   assert.ok(marksOf(metres, [0, longOf(metres)], 500).some(({ value }) => Math.abs(value - 0.2) < 1e-12));
+});
+
+test('a value of an axis is rounded once', () => {
+  const stiffness = axis('linear_stiffness', 1e3, 1e12);
+  assert.equal(writtenOn({ ...stiffness, factor: 1 }, 792465.251), '7.92·10⁵'); // 7925 first would make 7.93 of it
+  assert.equal(writtenOn({ ...stiffness, factor: 1e-3 }, 0.0908665), '90.87');
 });
 
 /** All that a window needs, found: how many impacts that took. */

@@ -93,7 +93,7 @@ export function marksOf(axis, [from, to], room) {
  * @param {number} value
  */
 export const writtenOn = ({ factor, whole }, value) => {
-  const shown = Number((value / factor).toPrecision(DIGITS_WRITTEN));
+  const shown = value / factor; // rounded once
   return whole ? String(Math.round(shown)) : pretty(shown).replace(/^(.+)e(-?\d+)$/, tens);
 };
 
