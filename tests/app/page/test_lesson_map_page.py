@@ -8,6 +8,7 @@ from playwright.sync_api import expect
 from app.lessons.reading import read_text
 from app.lessons.record import lesson_record
 
+from ..lessons.written import HEAD
 from .test_access_page import findings
 from .test_lesson_walks import THERE
 
@@ -15,15 +16,9 @@ MAP = "strikewave.page.opening.teaching.lesson.below.map"
 DRAWN = f"() => {{ const m = {MAP}; return Boolean(m?.open && m.view && m.domain && m.jobs.idle && !m.due); }}"
 POINT = f"() => {MAP}.plane.at"
 SOFT = "?lesson=heavier-faster-softer&step=4&language=en"
-ASKS = """\
----
-lesson: tried
-version: 1
-language: en
-title: Tried
-scene: fixed-rod
----
-
+ASKS = (
+    HEAD
+    + """
 ## Does speed matter?
 
 :::{scene}
@@ -44,6 +39,7 @@ text = "Yes"
 say = "No."
 :::
 """
+)
 
 
 @pytest.mark.parametrize("size", [(1440, 900), (390, 844)])
