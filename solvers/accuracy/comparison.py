@@ -146,7 +146,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int, duration: 
         resolved_force_error=(
             None if unknown or resolved is None else force_error(exact, until, _until_the_end(found, resolved))
         ),
-        wall_time=_wall_time(lambda: method.solve(scene, duration), repeats),
+        wall_time=_wall_time(lambda: method.solve(scene, duration).complete(), repeats),
     )
 
 

@@ -37,10 +37,10 @@ class Ladder:
     refined: Scene | None = None  # of a mechanism with more modes, for levels that have more than the scene
 
     def solve(self, level: int, scene: Scene, duration: float | None = None) -> Solution:
-        """One level; where it has more modes than the links of the scene, of links that have as many."""
+        """One level, complete; where it has more modes than the links of the scene, of links that have as many."""
         if self.refined is not None and self.size(level) > scene.target.known_as(Mechanism).most_modes:
             scene = self.refined
-        return self.levels[level].solve(scene, duration)
+        return self.levels[level].solve(scene, duration).complete()
 
     @property
     def name(self) -> str:

@@ -264,6 +264,11 @@ class Solution:
             raise SceneError("solution", self.method["name"], allowed("with-history"))
         return cast(BoundedMotion, self.motion)
 
+    def complete(self) -> "Solution":
+        """The same, its figures worked out: until one is read they may not be, which takes less time."""
+        _ = self.energy, self.diagnostics
+        return self
+
     def refine(self, name: str, change: Callable[["Solution", Any], Any]) -> None:
         """Have a figure that may come later changed, given the solution and the figure, when it is first read."""
         before = self.__dict__[f"_{name}"]

@@ -239,7 +239,7 @@ def test_a_step_of_waves_costs_the_same_under_any_law():
     scenes = (struck_rod(contact=contact_table(law)) for law in ("hertz", "power", "hunt-crossley"))
     times = [expected_time(method, steps, scene) for scene in scenes]
     assert max(times) < 2.0 * min(times)
-    assert expected_time(method, steps, struck_rod()) < 0.2 * min(times)  # rigid faces need no equation solved
+    assert expected_time(method, steps, struck_rod()) < 0.5 * min(times)  # no equation to solve; figures are read alike
 
 
 def test_what_costs_more_than_the_answer_is_not_solved():
