@@ -48,10 +48,7 @@ class Sliding:
 
 
 def apparent_time(contacts: Sequence[ContactPeriod]) -> float | None:
-    """The contact time that is asked for everywhere: from first touch to last parting [s], thesis 8.3.
-
-    None for no contact, or one of no duration.
-    """
+    """The contact time: from first touch to last parting [s], thesis 8.3; None for none, or one of no duration."""
     lasted = contacts[-1].end - contacts[0].start if contacts else 0.0
     return lasted if lasted > 0.0 else None
 
@@ -149,11 +146,8 @@ class Solution:
     @property
     def reactions(self) -> list[dict[str, Any]] | None:
         """Of a mechanism, by joint, what the impact makes the first link do to the second: `impulse` (2,) [N s] and
-        `moment_impulse` [N m s], that of its drive with it, up to the last parting.
-
-        Of repeated balances the sum of their sudden reactions, thesis (6.12), and beside it `impulse_to_parting` and
-        `moment_impulse_to_parting`, with what the links pass on as they vibrate.
-        """
+        `moment_impulse` [N m s], that of its drive with it, up to the last parting. Of repeated balances the sum of
+        their sudden reactions, thesis (6.12), and `..._to_parting`, with what the links pass on as they vibrate."""
         if (motion := self._joined_motion) is None:
             return None
         return motion.reactions(self.contacts[-1].end if self.contacts else 0.0)
