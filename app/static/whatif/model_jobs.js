@@ -83,6 +83,7 @@ export class ModelJobs {
   }
   forget() {
     this.asked = this.view = null;
+    this.models = [];
     this.wanted = [];
     this.own = { key: '', places: null };
   }

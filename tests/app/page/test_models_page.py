@@ -45,7 +45,7 @@ def test_the_scene_s_smallest_models_are_those_of_the_plan(show):
 def test_the_bound_is_a_word_of_the_title_and_part_of_the_link(show):
     page = show(HAMMER, SMALL)
     open_models(page, OF_HAMMER)
-    bound = page.tab.get_by_label("Allowed error")
+    bound = page.tab.get_by_label("Allowed error", exact=True)
     expect(bound).to_have_value("0.01")
     before = page.tab.evaluate(f"() => [...{MODELS}.view.contacts].join()")
     bound.focus()
