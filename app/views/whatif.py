@@ -26,7 +26,7 @@ from ..messages.mechanism.frame import mechanism_solution
 from ..messages.space import space_solution
 from ..messages.transverse import main_solution
 from ..text.refusals import SOME_TEXT, Refused, note, reason_of
-from .whatif_models import enough, models_of
+from .whatif_models import enough, models_of, shown_as
 from .whatif_scene import scene_file
 
 POINTS = "whatif_points"  # key, beside the choices, of what is asked
@@ -91,7 +91,7 @@ def _models(asked: Any) -> tuple[str, list[float]] | None:
     given = asked if isinstance(asked, dict) else {}
     figure, bounds = given.get("figure"), given.get("bounds")
     some = _listed(bounds, MOST_BOUNDS, lambda bound: type(bound) is float and 0.0 < bound <= 1.0)
-    if figure not in COLUMNS[1:] or not some:
+    if figure not in COLUMNS[1:] or not some or bounds is None:
         raise Refused("refused.points-models", figures=list(COLUMNS[1:]), bounds=MOST_BOUNDS)
     return figure, bounds
 
@@ -134,7 +134,7 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
     chosen |= points.others
     if points.file:
         return json.dumps({"chosen": chosen, "id": id_of(text)} | _file(chosen, points), allow_nan=False)
-    until, rows, why, moved, models = time.monotonic() + SECONDS, [], {}, {}, []
+    until, rows, why, moved, more = time.monotonic() + SECONDS, [], {}, {}, {}
     for number, values in enumerate(points.rows):
         if rows and (cancelled() or time.monotonic() > until):
             break
@@ -142,8 +142,9 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
             given = dict(zip(points.names, values, strict=True))
             request = Request.of(_with(chosen, given, moved))
             rows.append(_answer(request, points))
-            if points.models and not models:
-                models = models_of(request.scene)
+            if points.models and not more:
+                shown = shown_as(_solution(request, FREE).method)
+                more = {"models": models_of(request.scene), "shown": shown}
         except NotCompiled:
             raise
         except ValueError as reason:
@@ -155,7 +156,6 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
             why[number] = failed
         if number in why:
             rows.append([FAILED, *[None] * (len(COLUMNS) - 1)])
-    more = {"models": models} if models else {}
     return json.dumps({"chosen": chosen, "id": id_of(text), "rows": rows, "why": why} | more, allow_nan=False)
 
 

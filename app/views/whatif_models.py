@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from solvers import Scene, Solution
+from solvers import Modal, QuasiStatic, RigidImpulse, Scene, Solution
 from solvers.regimes.candidate import Candidate
 from solvers.regimes.solved import COUNTS, reference_of, solved_candidates
 
@@ -24,6 +24,15 @@ def models_of(scene: Scene) -> list[dict[str, Any]]:
     reference = reference_of(scene, FINEST)
     last = {"name": "more" if reference is None or reference.modes else "waves"}
     return [*({"name": name} for name in WHOLE), *({"name": "modal", "modes": count} for count in FEW), last]
+
+
+def shown_as(method: dict[str, Any]) -> int:
+    """Where the method of a solution stands among these, from 1; the last, where it is none of them."""
+    name, modes = method["name"], method.get("modes")
+    if name == Modal.NAME and modes and modes < FINEST:
+        return len(WHOLE) + sum(count <= modes for count in FEW)
+    called = {RigidImpulse.NAME: WHOLE[0], QuasiStatic.NAME: f"{method.get('model')}-{QuasiStatic.NAME}"}.get(name)
+    return WHOLE.index(called) + 1 if called in WHOLE else MODELS
 
 
 def enough(scene: Scene, figure: str, bounds: Sequence[float], found_of: Found) -> list[int]:

@@ -64,6 +64,7 @@ export class ModelJobs {
   /** @type {ReturnType<Window['halves']> | null} */ halves = null;
   /** @type {{ key: string, places: number[] | null }} */ own = { key: '', places: null }; // of the scene, by bound
   /** @type {Called[]} */ models = []; // from the smallest up
+  shown = Infinity; // where the method that the page shows stands among them, from 1
   under = 0;
 
   /** @param {() => void} came */
@@ -162,7 +163,7 @@ export class ModelJobs {
     return {
       ...{ chosen, names, rows },
       models: { figure, bounds: BOUNDS },
-      named: (models) => (this.models = models),
+      named: (models, shown) => Object.assign(this, { models, shown }),
       done: (found, _, why) => {
         this.under -= 1;
         take(found, why);

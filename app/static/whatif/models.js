@@ -11,7 +11,6 @@ import { placeOf } from './places.js';
 import { Plane } from './plane.js';
 import { Window } from './window.js';
 
-/** @import { Called } from '../text/words.js' */
 /** @import { WhatIf } from './whatif.js' */
 
 const KEPT = 8; // lattices
@@ -34,7 +33,7 @@ export class Models {
     this.plane = new Plane({
       about: text('whatif.models-about'),
       named: (count, wide) => (wide ? this.name(count) : ''),
-      doubtful: (count) => count > this.shown,
+      weak: (count) => count > this.jobs.shown,
       listed: true,
     });
     this.root = make('div', { className: 'whatif-models' }, this.plane.root, this.list, this.notes);
@@ -61,21 +60,6 @@ export class Models {
   }
   get #most() {
     return Math.max(0, ...this.jobs.models.map(({ modes }) => modes ?? 0));
-  }
-  /** The method that the page shows. */
-  get #by() {
-    const { frame } = this.whatif.page;
-    return /** @type {Called | null} */ ('main' in frame ? frame.main : null);
-  }
-  /** Where that stands among the models, from 1; beyond all where it leaves out nothing, or is none of them. */
-  get shown() {
-    const { models } = this.jobs;
-    const by = this.#by;
-    const at = (/** @type {(model: Called) => boolean} */ is) => models.findLastIndex(is) + 1;
-    if (by?.name === 'modal') return at(({ modes }) => Boolean(modes && by.modes && modes <= by.modes));
-    if (by?.name === 'rigid') return at(({ name }) => name === 'rigid-impulse');
-    if (by?.name === 'quasi-static') return at(({ name }) => name === `${by.model}-quasi-static`) || models.length;
-    return models.length;
   }
   /** What is asked for, of the scene as it is chosen. */
   get #asked() {
@@ -142,11 +126,11 @@ export class Models {
     const within = BOUNDS.map((bound, k) => ({ bound, model: places ? this.name(places[k]) : '' }));
     const enough = within.map(({ bound, model }) => text('whatif.enough', { bound: percent(bound), model }));
     const here = places?.[BOUNDS.indexOf(this.bound)] ?? 0;
-    const doubt = here > this.shown ? text('whatif.not-enough', { bound: percent(this.bound) }) : '';
+    const weak = here > this.jobs.shown ? text('whatif.not-enough', { bound: percent(this.bound) }) : '';
     const refused = jobs.models.length ? '' : this.#refused();
     write(
       this.notes,
-      [this.pointed, places ? `${text('whatif.here')} ${enough.join(' · ')}.` : '', doubt, refused]
+      [this.pointed, places ? `${text('whatif.here')} ${enough.join(' · ')}.` : '', weak, refused]
         .filter(Boolean)
         .join(' '),
     );

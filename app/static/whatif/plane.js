@@ -46,7 +46,7 @@ const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
  * @typedef {object} Regions
  * @property {string} about
  * @property {(count: number, wide: boolean) => string} named
- * @property {(count: number) => boolean} [doubtful]
+ * @property {(count: number) => boolean} [weak]
  * @property {boolean} [listed]  in a list beside, not on a bar
  */
 /** @type {Regions} */
@@ -113,8 +113,8 @@ export class Plane {
     c.drawImage(sheet, plot.x, plot.y, sheet.width * step, sheet.height * step);
     c.translate(plot.x, plot.y);
     this.#hatch(c, (count) => count < 0, 1);
-    const { doubtful } = this.regions;
-    if (doubtful) this.#hatch(c, doubtful, -1);
+    const { weak } = this.regions;
+    if (weak) this.#hatch(c, weak, -1);
     const { log, whole } = shownOf(result);
     const levels = whole ? [] : levelsOf(domain, Boolean(log));
     const goal = wanted === null || whole ? null : log ? Math.log10(wanted) : wanted;

@@ -23,6 +23,7 @@ const TICK = 250; // ms between looks whether the server is still there
  * @property {Record<string, any>} chosen
  * @property {(number | null)[][]} [rows]
  * @property {import('../text/words.js').Called[]} [models]  that rows of models name by number
+ * @property {number} [shown]  that of the page's method
  * @property {Record<string, any>} [why]
  * @property {any} [error]
  * @property {string} [scene]  the file of the first row
@@ -142,8 +143,8 @@ export class Served {
     if (answer.id !== this.id) return; // of what is no longer asked
     if (answer.error) return this.#refuse(said(answer.error));
     if (answer.chosen.scene !== frame.chosen.scene) return this.leave();
-    const { keys = null, models, rows = [], scene, why = {} } = answer;
-    if (models) job.named?.(models);
+    const { keys = null, models, rows = [], scene, shown, why = {} } = answer;
+    if (models && shown) job.named?.(models, shown);
     if (job.file && scene) return this.#end(this.found, { keys, scene });
     if (!rows.length) return this.#refuse('');
     for (const [k, row] of rows.entries()) {

@@ -62,7 +62,7 @@ def test_what_is_shown_is_hatched_where_it_is_not_enough(show):
     page = show(HAMMER + "&modes=5", SMALL)
     view = open_models(page, OF_HAMMER)
     expect(view.locator(".whatif-notes")).to_contain_text("What is shown is not, within 1 %: hatched.")
-    assert page.tab.evaluate(f"() => {MODELS}.plane.regions.doubtful({MODELS}.jobs.own.places[2])")
+    assert page.tab.evaluate(f"() => {MODELS}.plane.regions.weak({MODELS}.jobs.own.places[2])")
     show(HAMMER + "&modes=30", SMALL)
     view = open_models(page, OF_HAMMER)
     expect(view.locator(".whatif-notes")).not_to_contain_text("hatched")
