@@ -15,6 +15,7 @@ from .words import figure, named, text
 def add_arguments(parser) -> None:
     parser.add_argument("--question", default=QUESTIONS[0], help=text("help.plan.question", names=QUESTIONS))
     parser.add_argument("--tolerance", default="0.05", help=text("help.plan.tolerance"))
+    parser.add_argument("--solve", action="store_true", help=text("help.plan.solve"))
 
 
 def print_plan(scene: solvers.Scene, options) -> int:
@@ -23,7 +24,7 @@ def print_plan(scene: solvers.Scene, options) -> int:
         tolerance = float(options.tolerance)
     except ValueError:
         raise SceneError("--tolerance", options.tolerance, text("wanted.number", low=1e-6, high=1)) from None
-    found = solvers.plan(scene, options.question, tolerance)
+    found = solvers.plan(scene, options.question, tolerance, solve=options.solve)
     print(json.dumps(found.table(), indent=1, allow_nan=False) if options.json else report(found))
     return 0
 

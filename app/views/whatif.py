@@ -26,10 +26,11 @@ from ..messages.mechanism.frame import mechanism_solution
 from ..messages.space import space_solution
 from ..messages.transverse import main_solution
 from ..text.refusals import SOME_TEXT, Refused, note, reason_of
+from .whatif_models import enough, models_of, shown_as
 from .whatif_scene import scene_file
 
 POINTS = "whatif_points"  # key, beside the choices, of what is asked
-MOST_NAMES, MOST_ROWS = 8, 256
+MOST_NAMES, MOST_ROWS, MOST_BOUNDS = 8, 256, 6
 LONGEST = 16_000  # letters of a question: with what a socket adds to it, within app.serving.limits.MAX_MESSAGE
 SECONDS = 0.4  # of work after which an answer goes out with the rows found so far
 EXAMPLE = '{"id": 0, "names": ["speed"], "rows": [[1.0]]}'
@@ -41,6 +42,8 @@ FOUND, FAILED = 0, 1  # status of a row
 Names = tuple[str, ...]
 Values = dict[str, Any]  # by name
 FREE: Names = ("contacts", "peak_force", "contact_time", "newton", "dissipated", "peak_indentation")  # of any solution
+PARTS = {"vibration": "target_vibration", "dissipated": "dissipated"}  # of the energy
+VELOCITIES: Names = ("impactor_velocity", "target_velocity")
 STRESS = "peak_stress"  # costs as much again, or more: null unless it is asked for
 _NUMBERED = re.compile(r'\{"id": ?(\d{1,9})[,}]')
 _NAME = re.compile(r"[\w.]{1,60}", re.ASCII)  # which may be repeated to who has written it
@@ -55,6 +58,7 @@ class Points(NamedTuple):
     others: dict[str, Any]  # choices that are otherwise than the server has them by now
     figures: Names  # of those that any solution gives
     file: bool  # whether the scene file of the first is asked for, and the keys that the others vary; not their figures
+    models: tuple[str, list[float]] | None  # the figure and bounds of its error for which the smallest models are asked
 
 
 def id_of(text: str) -> int | None:
@@ -78,7 +82,18 @@ def read_points(text: str) -> Points:
         _check_name(name)
     figures = (*FREE, STRESS) if asked.get("stress") is True else FREE
     set_otherwise = {name: _choice(name, value) for name, value in others.items()}
-    return Points(names, rows, set_otherwise, figures, asked.get("file") is True)
+    return Points(names, rows, set_otherwise, figures, asked.get("file") is True, _models(asked.get("models")))
+
+
+def _models(asked: Any) -> tuple[str, list[float]] | None:
+    if asked is None:
+        return None
+    given = asked if isinstance(asked, dict) else {}
+    figure, bounds = given.get("figure"), given.get("bounds")
+    some = _listed(bounds, MOST_BOUNDS, lambda bound: type(bound) is float and 0.0 < bound <= 1.0)
+    if figure not in COLUMNS[1:] or not some or bounds is None:
+        raise Refused("refused.points-models", figures=list(COLUMNS[1:]), bounds=MOST_BOUNDS)
+    return figure, bounds
 
 
 def _listed(values: Any, most: int, each: Callable[[Any], bool]) -> bool:
@@ -119,14 +134,17 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
     chosen |= points.others
     if points.file:
         return json.dumps({"chosen": chosen, "id": id_of(text)} | _file(chosen, points), allow_nan=False)
-    until, rows, why, moved = time.monotonic() + SECONDS, [], {}, {}
+    until, rows, why, moved, more = time.monotonic() + SECONDS, [], {}, {}, {}
     for number, values in enumerate(points.rows):
         if rows and (cancelled() or time.monotonic() > until):
             break
         try:
             given = dict(zip(points.names, values, strict=True))
             request = Request.of(_with(chosen, given, moved))
-            rows.append(_figures(_solution(request, points.figures), points.figures))
+            rows.append(_answer(request, points))
+            if points.models and not more:
+                shown = shown_as(_solution(request, FREE).method)
+                more = {"models": models_of(request.scene), "shown": shown}
         except NotCompiled:
             raise
         except ValueError as reason:
@@ -138,7 +156,15 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
             why[number] = failed
         if number in why:
             rows.append([FAILED, *[None] * (len(COLUMNS) - 1)])
-    return json.dumps({"chosen": chosen, "id": id_of(text), "rows": rows, "why": why}, allow_nan=False)
+    return json.dumps({"chosen": chosen, "id": id_of(text), "rows": rows, "why": why} | more, allow_nan=False)
+
+
+def _answer(request: Request, points: Points) -> list[float | None]:
+    if points.models:
+        found = enough(request.scene, *points.models, figures_found)
+        return [FOUND, *found, *[None] * (len(COLUMNS) - 1 - len(found))]
+    found = figures_found(_solution(request, points.figures), (*points.figures, *PARTS, *VELOCITIES))
+    return [FOUND, *(found.get(name) for name in COLUMNS[1:])]
 
 
 def _file(chosen: Values, points: Points) -> dict[str, Any]:
@@ -177,16 +203,19 @@ def _solution(request: Request, figures: Names) -> Solution:
     return (mechanism_solution if request.kind == "mechanism" else main_solution)(request, figures)[0]
 
 
-def _figures(solution: Solution, figures: Names) -> list[float | None]:
-    found: dict[str, float | None] = dict(zip(figures, figures_of(solution, figures), strict=True))
-    initial = solution.energy["initial"]
-    for name, part in (("vibration", "target_vibration"), ("dissipated", "dissipated")):
-        found[name] = solution.energy[part] / initial if initial else None
-    for name in ("impactor_velocity", "target_velocity"):
-        velocity = getattr(solution, name)
-        normal = solution.scene.normal  # along which that of a body in space is given
-        found[name] = velocity if normal is None or velocity is None else float(np.dot(velocity, normal))
-    return [FOUND, *(_number(found.get(name)) for name in COLUMNS[1:])]
+def figures_found(solution: Solution, names: Names) -> dict[str, float | None]:
+    """By column those that exist: velocities along the normal, shares of the energy before."""
+    return {name: _number(_figure_found(solution, name)) for name in names}
+
+
+def _figure_found(solution: Solution, name: str) -> float | None:
+    if name in PARTS:
+        initial = solution.energy["initial"]
+        return solution.energy[PARTS[name]] / initial if initial else None
+    if name in VELOCITIES:
+        velocity, normal = getattr(solution, name), solution.scene.normal  # along which one in space is given
+        return velocity if normal is None or velocity is None else float(np.dot(velocity, normal))
+    return figures_of(solution, (name,))[0]
 
 
 def _number(value: float | None) -> float | None:

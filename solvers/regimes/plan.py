@@ -16,14 +16,16 @@ from ..methods import METHODS
 from ..numerics.rigid.impulses import strike
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
+from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
 from .candidate import Candidate
-from .models import LOSSES, QUESTIONS, contact_duration, family_of, models_of
-from .solved import is_solved, solved_candidates
+from .models import LOSSES, QUESTIONS, contact_duration, errors, family_of, figures, models_of
+from .solved import is_solved, reference_of, solved_candidates
 from .tables import Table, lossy_table, models_table, modes_table, plastic_curve, theory_table
 
 FALLBACKS = ("waves", "modal", "fe-nodal", "balance", "quasi-static", "rigid")
+WHOLE = "rigid-impulse", "local-quasi-static", "rigid-pendulum"  # models in which nothing bends or rings
 USUAL_PLACES = {"cantilever": 1.0}
 UNKNOWN = Note("plan-unknown", Severity.REMARK)  # until it is said why
 
@@ -82,7 +84,9 @@ class Plan:
         }
 
 
-def plan(scene: SceneOrName, question: str = "final-velocities", tolerance: float = 0.05) -> Plan:
+def plan(
+    scene: SceneOrName, question: str = "final-velocities", tolerance: float = 0.05, *, solve: bool = False
+) -> Plan:
     """The smallest model that answers the question within the tolerance, from what was measured on scenes around it.
 
     Questions: final-velocities, peak-force, contact-times (first touch to last parting), stresses (the largest
@@ -91,21 +95,22 @@ def plan(scene: SceneOrName, question: str = "final-velocities", tolerance: floa
     speed allows, elastic instead of elastoplastic. Where none is within the tolerance the best is taken, and says so.
     Error: the largest of the four measured points around the scene; sweeps are of elastic contacts of a compact body on
     a uniform rod's end, or on a beam where it is usually struck; see `measured`.
-    With links or a pendulum that bend, and of rods that turn, each model is solved, and one of many modes to compare.
+    With links or a pendulum that bend, and of rods that turn, each model is solved, and one of many modes to compare;
+    with `solve` so is every scene that waves or modes can solve, by exact waves where they can: some tens of ms.
     Source: the validity that thesis 3.5 names in words, and its future work, measured by bench/measure_regimes.py.
     """
     scene = scene_of(scene)
     validation.choice("question", question, QUESTIONS)
     tolerance = validation.number("tolerance", tolerance, 1e-6, 1.0)
     if scene.struck is not scene:
-        found = plan(scene.struck, question, tolerance)
+        found = plan(scene.struck, question, tolerance, solve=solve)
         candidates = [_of_impactor(each) for each in found.candidates]
         chosen, better = _smallest(candidates, tolerance)
         groups = found.groups | {"mass_ratio": scene.mass_ratio}
         return replace(
             found, scene=scene, groups=groups, chosen=candidates[chosen], next_better=better, candidates=candidates
         )
-    if is_solved(scene):
+    if is_solved(scene) or (solve and reference_of(scene)):
         return _solved(scene, question, tolerance)
     family = family_of(scene)
     if family is None:
@@ -300,9 +305,15 @@ def _finite(error: float) -> float | None:
 
 def _solved(scene: Scene, question: str, tolerance: float) -> Plan:
     """Each model is solved: see `is_solved`."""
-    candidates, finest = solved_candidates(scene, QUESTIONS.index(question))
+    asked = QUESTIONS.index(question)
+
+    def missed(found: Solution, true: Solution) -> float:
+        both = (figures(each, question == "stresses") for each in (found, true))
+        return float(errors(*both)[asked])
+
+    candidates, reference = solved_candidates(scene, missed)
     number, better = _smallest(candidates, tolerance)
-    chosen, rigid = candidates[number], [each for each in candidates if each.modes is None][-1]
+    chosen, rigid = candidates[number], [each for each in candidates if each.name in WHOLE][-1]
     body = "link" if isinstance(scene.target, Mechanism) else "pendulum" if scene.impactor.bends else "rod"
     why = Note(
         "plan-solved",
@@ -313,7 +324,7 @@ def _solved(scene: Scene, question: str, tolerance: float) -> Plan:
         enough=chosen.expected_error <= tolerance,
         tolerance=tolerance,
         rigid=None if chosen is rigid else _finite(rigid.expected_error),
-        modes=finest,
+        modes=reference.modes,
         body=body,
     )
     groups = {"mass_ratio": float(scene.mass_ratio)} if math.isfinite(scene.mass_ratio) else {}

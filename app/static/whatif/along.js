@@ -7,10 +7,10 @@ import { Menu } from '../browser/menu.js';
 import { carried } from '../browser/home.js';
 import { text } from '../text/catalogue.js';
 import { fileOf } from '../wire/own.js';
-import { apart, commandOf, figureOf, pythonOf, variedOf, withinOf } from './code_lines.js';
+import { apart, commandOf, figureOf, planOf, pythonOf, variedOf, withinOf } from './code_lines.js';
 import { TOLERANCE } from './map_jobs.js';
 import { longOf, valueAt } from './places.js';
-import { csvOf, tableOfCurves, tableOfMap, tableOfTolerance } from './table.js';
+import { csvOf, tableOfCurves, tableOfMap, tableOfModels, tableOfTolerance } from './table.js';
 import { drawnOf } from './tolerance_jobs.js';
 import { saidOf } from './view_link.js';
 
@@ -27,7 +27,9 @@ import { saidOf } from './view_link.js';
 const FINE = 2; // times as many pixels of the map in a picture
 const MOST = 64; // values of an axis in a command
 const TOGETHER = 15; // of each of two axes whose keys go together
-const PARTS = ['.whatif-sentence', '.whatif-map', '.whatif-curves', '.whatif-tolerance', '.whatif-foot'];
+const PARTS = ['sentence', 'map', 'curves', 'tolerance', 'models-list', 'notes', 'foot'].map(
+  (name) => `.whatif-${name}`,
+);
 const BARS = '.whatif-inputs .bar i';
 
 export class Along {
@@ -115,6 +117,7 @@ export class Along {
   get #shown() {
     const { modes, view } = this.whatif;
     if (modes.mode === 'map') return view && tableOfMap(view);
+    if (modes.mode === 'models') return modes.models.view && tableOfModels(modes.models.view, modes.models.jobs.models);
     if (modes.mode === 'curves') return modes.curves.jobs.shown && tableOfCurves(modes.curves.jobs.shown);
     return modes.tolerance.jobs.shown && tableOfTolerance(modes.tolerance.jobs.shown);
   }
@@ -152,6 +155,7 @@ export class Along {
     this.status.textContent = text('whatif.preparing');
     if (!this.dialog.open) this.dialog.showModal();
     const { mode } = modes;
+    if (mode === 'models') return this.#plan();
     const found = await (mode === 'map' ? this.#ofMap() : mode === 'curves' ? this.#ofCurves() : this.#ofTolerance());
     if (!this.dialog.open) return;
     if (typeof found === 'string' || !found.varied?.length) {
@@ -164,19 +168,31 @@ export class Along {
     const file = this.#named('toml');
     const results = mode === 'curves' ? [...modes.curves.rows.keys()] : [this.whatif.result];
     const figures = [...results.map(figureOf), ...(mode === 'curves' ? ['contacts'] : [])];
-    const written = {
-      command: commandOf(what, file, varied, figures),
-      python: pythonOf(what, file, varied, figures),
-      scene: scene.replaceAll('\n[', '\n\n['),
-    };
-    for (const { code, name, root } of this.codes) {
-      code.textContent = written[name];
-      root.hidden = false;
-    }
+    const command = commandOf(what, file, varied, figures);
+    this.#show({ command, python: pythonOf(what, file, varied, figures), scene });
     const help =
       what === 'study' ? text('whatif.code-help-study', { file }) : text('whatif.code-help-uncertain', { file });
     const rest = left.length ? text('whatif.left-out', { names: left.join(', ') }) : '';
     this.status.textContent = `${help} ${rest}`.trim();
+  }
+  /** Of which model is enough for the scene, not for each point. */
+  async #plan() {
+    const { modes, result } = this.whatif;
+    const [file, found] = [this.#named('toml'), await this.#file([], [])];
+    const lines = planOf(file, result, modes.models.bound);
+    if (!this.dialog.open) return;
+    if (typeof found === 'string' || !lines) this.status.textContent = found && text('whatif.no-plan');
+    else {
+      this.#show({ ...lines, scene: found.scene });
+      this.status.textContent = text('whatif.code-help-plan', { file });
+    }
+  }
+  /** @param {Record<'command' | 'python' | 'scene', string>} written */
+  #show(written) {
+    for (const { code, name, root } of this.codes) {
+      code.textContent = name === 'scene' ? written.scene.replaceAll('\n[', '\n\n[') : written[name];
+      root.hidden = false;
+    }
   }
   /** @returns {Promise<Found | string>} */
   async #ofMap() {

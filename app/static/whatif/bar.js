@@ -7,13 +7,13 @@ import { plain, shownOf, unitFor } from './results.js';
 
 /** @import { Context } from './ink.js' */
 /** @import { Domain, Over } from './plane.js' */
-/** @import { Result } from './results.js' */
+/** @import { Mapped } from './results.js' */
 
 const [GAP, WIDE, WORDS] = [22, 12, 60]; // pixels from the plot, of the bar, of what stands beside it
 
 /**
  * A round value of a scale, in its unit.
- * @param {Result} result
+ * @param {Mapped} result
  * @param {number} level
  * @param {Domain} domain
  */

@@ -102,6 +102,34 @@ export function withinOf(keys) {
 /** @param {string} word  As a shell reads it. */
 const quoted = (word) => (/[^\w.,:=+/-]/.test(word) ? `"${word}"` : word);
 
+const QUESTIONS = /** @type {Partial<Record<Result, string>>} */ ({
+  peak_force: 'peak-force',
+  ...{ impactor_velocity: 'final-velocities', target_velocity: 'final-velocities', newton: 'final-velocities' },
+  contact_time: 'contact-times',
+  peak_stress: 'stresses',
+});
+
+/**
+ * Command and Python by which the library says which model is enough; nothing for what it has no question for.
+ * @param {string} file
+ * @param {Result} result
+ * @param {number} bound
+ */
+export function planOf(file, result, bound) {
+  const question = QUESTIONS[result];
+  if (!question) return null;
+  const python = [
+    ['import', 'solvers'].join(' '),
+    '',
+    `found = solvers.plan(solvers.load("${file}"), "${question}", ${bound}, solve=True)`,
+    'print(found.table())',
+  ];
+  return {
+    command: ['impact', 'plan', file, '--question', question, '--tolerance', bound, '--solve'].join(' '),
+    python: python.join('\n'),
+  };
+}
+
 /**
  * @param {'study' | 'uncertain'} what
  * @param {string} file

@@ -4,7 +4,7 @@ import { make } from '../browser/dom.js';
 import { contextOf } from '../charts/canvas.js';
 import { shownOf } from './results.js';
 
-/** @import { Result } from './results.js' */
+/** @import { Mapped } from './results.js' */
 
 const STEPS = 512;
 const RAMPS = {
@@ -12,6 +12,11 @@ const RAMPS = {
   cold: ['#f5f8fa', '#ddebf6', '#b9d8ee', '#86b9e0', '#4f93cc', '#2a6db1', '#124a8c', '#0a2f66'],
   steel: ['#f6f8f9', '#dfe6ec', '#bcc8d2', '#93a3b1', '#687b8b', '#3f5160', '#15202b'],
   steps: ['#e9eef2', '#f7b592', '#d24a24', '#9e271b', '#6d0f17'],
+  models: [
+    ...['#f3f6f8', '#dfeaf3', '#c6daea', '#abc8e0'], // nothing rings
+    ...['#fde3d3', '#f9c4a6', '#f4a277', '#ea7d4b', '#d65a2c', '#b73c1c', '#8c2317'], // by ever more modes
+    '#4a0d10',
+  ],
 };
 export const NONE = 0xffffffff; // where nothing is known yet
 
@@ -27,19 +32,23 @@ const packed = ([r, g, b]) => ((255 << 24) | (b << 16) | (g << 8) | r) >>> 0;
 function made(name) {
   const all = RAMPS[name].map(channels);
   return Uint32Array.from({ length: STEPS }, (_, n) => {
-    if (name === 'steps') return packed(all[Math.min(Math.floor((n / STEPS) * all.length), all.length - 1)]);
+    if (name === 'steps' || name === 'models')
+      return packed(all[Math.min(Math.floor((n / STEPS) * all.length), all.length - 1)]);
     const place = (n / (STEPS - 1)) * (all.length - 1);
     const k = Math.min(Math.floor(place), all.length - 2);
     return packed(all[k].map((value, c) => Math.round(value + (place - k) * (all[k + 1][c] - value))));
   });
 }
 
+/** @param {number} n  The colour of a model, from 1. */
+export const colourOfModel = (n) => RAMPS.models[n - 1];
+
 /** @type {Map<string, Uint32Array>} */
 const MADE = new Map();
 
 /**
  * Colours of a result, from the lowest value to the highest, as pixels have them.
- * @param {Result} name
+ * @param {Mapped} name
  */
 export function paletteOf(name) {
   const { colours } = shownOf(name);

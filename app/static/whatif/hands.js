@@ -22,30 +22,34 @@ const LEAST = 0.05; // units of an axis that a map shows at least
 export class Hands {
   /** @type {ReturnType<WhatIf['plane']['under']>} */ drag = null;
 
-  /** @param {WhatIf} whatif */
-  constructor(whatif) {
+  /**
+   * @param {WhatIf} whatif
+   * @param {Pick<WhatIf, 'plane' | 'view' | 'over'> & { look: (at: Spot | null) => void }} map  of all that are there
+   */
+  constructor(whatif, map) {
     this.whatif = whatif;
-    const { over } = whatif.plane;
+    this.map = map;
+    const { over } = map.plane;
     this.fingers = new Fingers(over, {
       take: (event) => this.#take(event),
       move: (event) => this.#move(event),
       leave: () => this.#leave(),
-      grips: (event) => ![null, 'map'].includes(whatif.view && whatif.plane.under(...this.#where(event))),
+      grips: (event) => ![null, 'map'].includes(map.view && map.plane.under(...this.#where(event))),
       pinch: (from, to) => this.#pinch(from, to),
     });
-    over.onpointerleave = () => this.whatif.borders.look(null);
+    over.onpointerleave = () => map.look(null);
     over.onkeydown = (event) => this.#key(event);
     over.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
     over.ondblclick = () => this.all();
   }
   /** @param {{ clientX: number, clientY: number }} event */
   #where(event) {
-    const box = this.whatif.plane.over.getBoundingClientRect();
+    const box = this.map.plane.over.getBoundingClientRect();
     return /** @type {[number, number]} */ ([event.clientX - box.left, event.clientY - box.top]);
   }
   /** @param {PointerEvent} event */
   #take(event) {
-    const { plane, view } = this.whatif;
+    const { plane, view } = this.map;
     const [px, py] = this.#where(event);
     const under = view && !event.button ? plane.under(px, py) : null;
     if (!under) return;
@@ -57,12 +61,12 @@ export class Hands {
   }
   /** @param {PointerEvent} event */
   #move(event) {
-    const { plane } = this.whatif;
+    const { plane } = this.map;
     const [px, py] = this.#where(event);
     if (!this.drag) {
-      const under = this.whatif.view && plane.under(px, py);
+      const under = this.map.view && plane.under(px, py);
       plane.over.style.cursor = under ? CURSORS[under] : '';
-      this.whatif.borders.look(under === 'map' ? [px, py] : null);
+      this.map.look(under === 'map' ? [px, py] : null);
       return;
     }
     event.preventDefault();
@@ -78,7 +82,8 @@ export class Hands {
   }
   /** @param {number} py */
   #want(py) {
-    const { plane, result } = this.whatif;
+    const { result } = this.whatif;
+    const { plane } = this.map;
     const level = plane.level(py);
     const value = shownOf(result).log ? 10 ** level : level;
     this.whatif.wanted[result] = Number(value.toPrecision(3));
@@ -99,13 +104,13 @@ export class Hands {
   /** @param {[x: number, y: number]} share */
   #go(share) {
     this.whatif.set(this.#at(share));
-    this.whatif.over();
+    this.map.over();
   }
   /** @param {KeyboardEvent} event */
   #key(event) {
     const way = ARROWS[event.key];
-    const { view, x, y } = this.whatif;
-    if (!way || !view) return;
+    const { x, y } = this.whatif;
+    if (!way || !this.map.view) return;
     event.preventDefault();
     event.stopPropagation();
     const step = event.shiftKey ? STEP.large : STEP.small;
@@ -121,7 +126,7 @@ export class Hands {
   }
   /** @param {WheelEvent} event */
   #wheel(event) {
-    const { plane, view } = this.whatif;
+    const { plane, view } = this.map;
     const [px, py] = this.#where(event);
     if (!view || plane.under(px, py) === null) return;
     event.preventDefault();
@@ -134,7 +139,7 @@ export class Hands {
    * @param {[Spot, Spot]} to
    */
   #pinch(from, to) {
-    if (!this.whatif.view) return;
+    if (!this.map.view) return;
     const [wide, wider] = [from, to].map(([a, b]) => Math.max(Math.hypot(a[0] - b[0], a[1] - b[1]), 1));
     const middle = (/** @type {[Spot, Spot]} */ [a, b]) =>
       this.#where({ clientX: (a[0] + b[0]) / 2, clientY: (a[1] + b[1]) / 2 });
@@ -147,7 +152,8 @@ export class Hands {
    * @param {number} by
    */
   #zoom(from, to, by) {
-    const { plane, x, y } = this.whatif;
+    const { x, y } = this.whatif;
+    const { plane } = this.map;
     const [was, is] = [plane.share(...from), plane.share(...to)];
     [x, y].forEach((axis, k) => {
       const [low, high] = this.whatif.range(axis);

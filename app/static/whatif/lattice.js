@@ -1,5 +1,7 @@
 // Impacts on a lattice over two axes, kept: what has been found there stays true as long as nothing else is chosen.
-import { PLACE, WIDTH } from './results.js';
+import { NAMES, PLACE, WIDTH, valueOf } from './results.js';
+
+/** @import { Mapped } from './results.js' */
 
 export const MISSING = -1;
 export const MANY = 6; // contacts: with as many or more each impact has a number of its own, and there are no lines
@@ -10,6 +12,8 @@ export const counted = (contacts) => Math.min(contacts, MANY);
 /** @typedef {{ low: number, high: number, from: number, steps: number }} Edge  of contacts `from` at `low` */
 
 export class Lattice {
+  names = NAMES; // of results that are not straight lines everywhere
+  halvings = 5; // of a step, until a change of contacts is found to 1e-3 of an axis
   /** @type {Map<number, number>} */ points = new Map(); // number of a point, by its place at the finest level
   count = 0;
   version = 0; // changes with whatever is found
@@ -41,6 +45,14 @@ export class Lattice {
     }
     this.why.delete(key);
     this.data.set(found.subarray(row * WIDTH, (row + 1) * WIDTH), known * WIDTH);
+  }
+  /**
+   * A result at a point that is kept.
+   * @param {Mapped} name
+   * @param {number} point
+   */
+  value(name, point) {
+    return valueOf(name, this.data, point * WIDTH);
   }
   /**
    * The number of contacts of a point that is kept, `MANY` of those with as many or more; negative where it is refused,

@@ -118,7 +118,8 @@ export class MapJobs {
    */
   rest() {
     const { view } = this;
-    const { points, x, y } = this.whatif;
+    const { modes, points, x, y } = this.whatif;
+    if (!view) return modes.rest();
     if (!view?.lattice.left.size || !points.serves || !points.base || !x || !y) return null;
     const { lattice } = view;
     const places = (/** @type {number[]} */ [a, b]) => [placeOf(view.axes.x, a), placeOf(view.axes.y, b)];

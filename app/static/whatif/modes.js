@@ -1,7 +1,10 @@
-// The views of what if …: the map, all results over one choice, and what tolerances make of a result.
+// The views of what if …: the map, all results over one choice, what tolerances make of a result, and which model is
+// enough for it.
 import { segments } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
+import { carried } from '../browser/home.js';
 import { Curves } from './curves.js';
+import { Models } from './models.js';
 import { SLOTS } from './sentence.js';
 import { Tolerance } from './tolerance.js';
 
@@ -14,10 +17,15 @@ const SENTENCES = {
   map: () => text('whatif.sentence', SLOTS),
   curves: () => text('whatif.sentence-curves', SLOTS),
   tolerance: () => text('whatif.sentence-tolerance', SLOTS),
+  models: () => text('whatif.sentence-models', SLOTS),
 };
-const NAMES = /** @type {Mode[]} */ (Object.keys(SENTENCES));
+const ALL = /** @type {Mode[]} */ (Object.keys(SENTENCES));
+const NAMES = ALL.filter((name) => name !== 'models' || !carried); // the server solves by each model
 const VIEW = /^(?:(\w+):)?(.*)$/s; // of a link, and the rest of it
-const LABELS = { map: text('whatif.map'), curves: text('whatif.curves'), tolerance: text('whatif.tolerance') };
+const LABELS = {
+  ...{ map: text('whatif.map'), curves: text('whatif.curves') },
+  ...{ tolerance: text('whatif.tolerance'), models: text('whatif.models') },
+};
 
 export class Modes {
   /** @type {Mode} */ mode = 'map';
@@ -27,6 +35,7 @@ export class Modes {
     this.whatif = whatif;
     this.curves = new Curves(whatif);
     this.tolerance = new Tolerance(whatif);
+    this.models = new Models(whatif);
     const turn = (/** @type {string} */ name) => {
       this.turn(/** @type {Mode} */ (name));
       whatif.page.history.later();
@@ -40,7 +49,7 @@ export class Modes {
     return this.mode === 'map' ? null : this[this.mode];
   }
   get parts() {
-    return [this.curves.root, this.tolerance.root];
+    return [this.curves.root, this.tolerance.root, this.models.root];
   }
   /** @param {Mode} mode */
   turn(mode) {
@@ -66,6 +75,7 @@ export class Modes {
   forget() {
     this.curves.forget();
     this.tolerance.forget();
+    this.models.forget();
   }
   /** What a link begins with. */
   get said() {
@@ -77,6 +87,12 @@ export class Modes {
    * @returns {Job | null}
    */
   next(many) {
+    const { points } = this.whatif;
+    if (this.shown === this.models && points.source === points.own) return null; // the server is asked
     return this.shown?.jobs.next(many) ?? null;
+  }
+  /** What the server is to find beside what the browser does. */
+  rest() {
+    return this.shown === this.models ? this.models.jobs.next() : null;
   }
 }

@@ -15,7 +15,7 @@ import { shownOf, written } from './results.js';
 
 /** @import { Axis } from './axes.js' */
 /** @import { Window } from './window.js' */
-/** @import { Result } from './results.js' */
+/** @import { Mapped } from './results.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {[low: number, high: number]} Domain  logarithms where the scale is */
 /** @typedef {[x: number, y: number]} Spot  pixels */
@@ -35,16 +35,32 @@ const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
  * @property {Axis} y
  * @property {Spot} at  places of the scene on both axes
  * @property {[x: number, y: number]} values
- * @property {Result} result
+ * @property {Mapped} result
  * @property {number} value
  * @property {number | null} wanted
  * @property {import('./letters.js').Kept[]} kept
  * @property {[from: Spot, to: Spot] | null} way  between two of them
  */
 
+/**
+ * @typedef {object} Regions
+ * @property {string} about
+ * @property {(count: number, wide: boolean) => string} named
+ * @property {(count: number) => boolean} [weak]
+ * @property {boolean} [listed]  in a list beside, not on a bar
+ */
+/** @type {Regions} */
+const CONTACTS = {
+  about: text('whatif.about'),
+  named: (count, wide) => {
+    const many = count === MANY;
+    return wide ? text(many ? 'whatif.many-contacts' : 'whatif.contacts', { count }) : `${count}${many ? '+' : ''}`;
+  },
+};
+
 export class Plane {
   base = make('canvas');
-  over = make('canvas', { tabIndex: 0, role: 'application', ariaLabel: text('whatif.about') });
+  over = make('canvas', { tabIndex: 0, role: 'application' });
   raster = new Raster();
   plot = { x: 0, y: 0, w: 1, h: 1 };
   narrow = false;
@@ -54,10 +70,14 @@ export class Plane {
   /** @type {[x: number, y: number, about: number][]} */ taken = []; // places that words have
   /** @type {Spot} */ at = [0, 0]; // of the point
   /** @type {Domain} */ domain = [0, 1];
-  bar = new Bar();
+  /** @type {Bar | null} */ bar = new Bar();
   letters = new Letters();
 
-  constructor() {
+  /** @param {Regions} [regions]  what parts of the map are called, and which are not to be trusted */
+  constructor(regions = CONTACTS) {
+    this.regions = regions;
+    this.over.ariaLabel = regions.about;
+    if (regions.listed) this.bar = null;
     this.root = make('div', { className: 'whatif-map' }, this.base, this.over);
   }
   /** Measure its room; whether there is any. */
@@ -67,14 +87,14 @@ export class Plane {
     const narrow = width < NARROW * scale;
     this.narrow = narrow;
     const [left, top] = [(narrow ? 52 : 68) * scale, 30 * scale];
-    const [right, below] = [(narrow ? 14 : 92) * scale, (narrow ? 44 : 46) * scale];
+    const [right, below] = [(narrow || !this.bar ? 14 : 92) * scale, (narrow ? 44 : 46) * scale];
     this.plot = { x: left, y: top, w: Math.max(width - left - right, 40), h: Math.max(height - top - below, 40) };
     return true;
   }
   /**
    * All that lies under the point.
    * @param {Window} view  filled
-   * @param {Result} result
+   * @param {Mapped} result
    * @param {Domain} domain
    * @param {number | null} wanted
    * @param {boolean} moving  under a hand
@@ -92,7 +112,9 @@ export class Plane {
     const { sheet, step } = raster;
     c.drawImage(sheet, plot.x, plot.y, sheet.width * step, sheet.height * step);
     c.translate(plot.x, plot.y);
-    this.#hatch(c);
+    this.#hatch(c, (count) => count < 0, 1);
+    const { weak } = this.regions;
+    if (weak) this.#hatch(c, weak, -1);
     const { log, whole } = shownOf(result);
     const levels = whole ? [] : levelsOf(domain, Boolean(log));
     const goal = wanted === null || whole ? null : log ? Math.log10(wanted) : wanted;
@@ -116,8 +138,13 @@ export class Plane {
     c.restore();
     this.#axes(c, view);
   }
-  /** @param {Context} c  What is refused. */
-  #hatch(c) {
+  /**
+   * What is refused, or not to be trusted.
+   * @param {Context} c
+   * @param {(count: number) => boolean} is
+   * @param {1 | -1} way  of its lines
+   */
+  #hatch(c, is, way) {
     const { contacts, sheet, step } = this.raster;
     const { h, w } = this.plot;
     c.save();
@@ -126,7 +153,7 @@ export class Plane {
     for (let j = 0; j < sheet.height; j++) {
       let from = -1;
       for (let i = 0; i <= sheet.width; i++) {
-        const off = i < sheet.width && contacts[j * sheet.width + i] < 0;
+        const off = i < sheet.width && is(contacts[j * sheet.width + i]);
         if (off && from < 0) from = i;
         if (off || from < 0) continue;
         c.rect(from * step, j * step, (i - from) * step, step);
@@ -138,8 +165,8 @@ export class Plane {
       c.clip();
       c.beginPath();
       for (let x = -h; x < w; x += 9) {
-        c.moveTo(x, h);
-        c.lineTo(x + h, 0);
+        c.moveTo(x, way > 0 ? h : 0);
+        c.lineTo(x + h, way > 0 ? 0 : h);
       }
       c.strokeStyle = COLOR.hatch;
       c.lineWidth = 1.25;
@@ -188,14 +215,13 @@ export class Plane {
     const step = Math.min((X1 - X0) * w, (Y1 - Y0) * h); // pixels of a cell
     for (const { count, depth, i, j } of parts) {
       const [X, Y] = view.spot(i, j);
-      const inside = (/** @type {number} */ at, /** @type {number} */ end) =>
-        Math.min(Math.max(at, EDGE * scale), end - EDGE * scale);
-      const [x, y] = [inside(X * w, w), inside((1 - Y) * h, h)];
+      const inside = (/** @type {number} */ at, /** @type {number} */ end, room = 0) =>
+        Math.min(Math.max(at, EDGE * scale + room), end - EDGE * scale - room);
       const wide = depth * step > WIDE * scale;
+      const words = this.regions.named(count, wide);
+      c.font = letters(15, '600 ');
+      const [x, y] = [inside(X * w, w, wide ? c.measureText(words).width / 2 : 0), inside((1 - Y) * h, h)];
       if (depth < 1 || !this.#free(x, y)) continue;
-      const many = count === MANY;
-      const long = text(many ? 'whatif.many-contacts' : 'whatif.contacts', { count });
-      const words = wide ? long : `${count}${many ? '+' : ''}`;
       word(c, words, x, y, { size: 15, weight: '600 ', edge: COLOR.edge });
       this.taken.push([x, y, wide ? 56 : 20]);
     }
@@ -210,7 +236,7 @@ export class Plane {
   /**
    * A contour's value on it, where it crosses a line across the map, so that it does not leap about.
    * @param {Context} c
-   * @param {Result} result
+   * @param {Mapped} result
    * @param {number} level
    * @param {number[]} line
    */
@@ -269,7 +295,7 @@ export class Plane {
     const c = cleared(this.over, this.root)?.c;
     if (!c) return;
     const { plot } = this;
-    if (!this.narrow) this.bar.draw(c, plot, this.domain, shown);
+    if (!this.narrow) this.bar?.draw(c, plot, this.domain, shown);
     const spot = (/** @type {Spot} */ [p, q]) =>
       /** @type {Spot} */ ([plot.x + ((p - x0) / (x1 - x0)) * plot.w, plot.y + (1 - (q - y0) / (y1 - y0)) * plot.h]);
     this.letters.draw(c, plot, shown.kept, shown.way, spot);
@@ -306,7 +332,7 @@ export class Plane {
     c.lineWidth = 3;
     c.strokeStyle = COLOR.ring;
     c.stroke();
-    const words = written(result, value);
+    const words = result === 'model' ? this.regions.named(value, true) : written(result, value);
     const size = narrow ? 22 : 28;
     c.font = letters(size, '650 ');
     const right = px + 22 + c.measureText(words).width < plot.x + plot.w - 4;
@@ -324,7 +350,7 @@ export class Plane {
     if (Math.hypot(px - this.at[0], py - this.at[1]) < POINT.reach) return 'point';
     if (this.letters.under(px, py)) return 'letter';
     const { plot } = this;
-    if (!this.narrow && this.bar.holds(px) && py > plot.y - 8 && py < plot.y + plot.h + 8) return 'bar';
+    if (!this.narrow && this.bar?.holds(px) && py > plot.y - 8 && py < plot.y + plot.h + 8) return 'bar';
     if (!this.#holds(px, py)) return null;
     const [u, v] = [px - plot.x, py - plot.y];
     for (let k = 0; k < this.goal.length; k += 4)

@@ -16,6 +16,8 @@ import { Served } from './server.js';
  * @property {number} [tolerance]  of a step through a contact law; 0: that of the page's own answers
  * @property {boolean} [wished]  whether somebody waits for it
  * @property {boolean} [apart]  whether it is done without what the browser has no room for
+ * @property {{ figure: string, bounds: number[] }} [models]  the smallest that are enough are wanted in its place
+ * @property {(models: import('../text/words.js').Called[], shown: number) => void} [named]  from the smallest up
  * @property {boolean} [file]  the scene file of the first impact is wanted, and by which keys the others differ from it
  * @property {(found: Float64Array | null, spent: number, why?: Map<number, string>, file?: SceneFile) => void} done
  */

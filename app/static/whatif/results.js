@@ -3,11 +3,12 @@ import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
 import { COLUMNS } from '../wasm/columns.js';
 
-/** @typedef {keyof typeof RESULTS} Result */
+/** @typedef {Exclude<Mapped, 'model'>} Result */
+/** @typedef {keyof typeof RESULTS} Mapped  what a map shows */
 /**
  * @typedef {object} Shown
  * @property {string} unit
- * @property {'heat' | 'cold' | 'steel' | 'steps'} colours
+ * @property {'heat' | 'cold' | 'steel' | 'steps' | 'models'} colours
  * @property {boolean} [log]
  * @property {boolean} [whole]
  * @property {boolean} [nought]  nought belongs to its scale
@@ -25,8 +26,9 @@ export const RESULTS = {
   newton: { unit: '', colours: 'cold' },
   peak_indentation: { unit: 'm', colours: 'heat', log: true },
   dissipated: { unit: '%', colours: 'heat', nought: true },
+  model: { unit: '', colours: 'models', whole: true }, // the smallest that is enough for another
 };
-export const NAMES = /** @type {Result[]} */ (Object.keys(RESULTS));
+export const NAMES = /** @type {Result[]} */ (Object.keys(RESULTS).filter((name) => name !== 'model'));
 
 /** Places of the numbers that are found. */
 export const PLACE = /** @type {Record<string, number>} */ (
@@ -34,7 +36,7 @@ export const PLACE = /** @type {Record<string, number>} */ (
 );
 export const WIDTH = COLUMNS.length;
 
-/** @param {Result} name */
+/** @param {Mapped} name */
 export const shownOf = (name) => /** @type {Shown} */ (RESULTS[name]);
 
 /** @param {Result} name */
@@ -45,7 +47,7 @@ export const shortOf = (name) => text(`whatif.short.${name}`);
 
 /**
  * The value of a result in a row of numbers; shares in percent.
- * @param {Result} name
+ * @param {Mapped} name
  * @param {ArrayLike<number>} found
  * @param {number} at  where its row begins
  */
@@ -53,7 +55,7 @@ export const valueOf = (name, found, at = 0) => found[at + PLACE[name]] * (RESUL
 
 /**
  * A value with its unit.
- * @param {Result} name
+ * @param {Mapped} name
  * @param {number} value
  */
 export function written(name, value) {
@@ -66,7 +68,7 @@ export function written(name, value) {
 
 /**
  * A unit of a handy size for a scale, and how many of it one is.
- * @param {Result} name
+ * @param {Mapped} name
  * @param {[low: number, high: number]} domain  logarithms where the scale is
  * @returns {[factor: number, unit: string]}
  */

@@ -22,6 +22,8 @@ const TICK = 250; // ms between looks whether the server is still there
  * @property {number | null} id
  * @property {Record<string, any>} chosen
  * @property {(number | null)[][]} [rows]
+ * @property {import('../text/words.js').Called[]} [models]  that rows of models name by number
+ * @property {number} [shown]  that of the page's method
  * @property {Record<string, any>} [why]
  * @property {any} [error]
  * @property {string} [scene]  the file of the first row
@@ -123,7 +125,7 @@ export class Served {
    * @param {Job} job
    * @param {number} rows
    */
-  #question({ chosen, file, names, rows: all }, rows) {
+  #question({ chosen, file, models, names, rows: all }, rows) {
     const { count, id, page, stress } = this;
     const width = names.length;
     const list = Array.from({ length: rows }, (_, k) => [
@@ -131,7 +133,7 @@ export class Served {
     ]);
     const others = Object.keys(page.model.spec).filter((name) => name !== 'scene' && !names.includes(name));
     const set = Object.fromEntries(others.flatMap((name) => (name in chosen ? [[name, chosen[name]]] : [])));
-    return JSON.stringify({ id, names, rows: list, set, stress, file });
+    return JSON.stringify({ id, names, rows: list, set, stress, file, models });
   }
   #take() {
     const { frame, job, page } = this;
@@ -141,7 +143,8 @@ export class Served {
     if (answer.id !== this.id) return; // of what is no longer asked
     if (answer.error) return this.#refuse(said(answer.error));
     if (answer.chosen.scene !== frame.chosen.scene) return this.leave();
-    const { keys = null, rows = [], scene, why = {} } = answer;
+    const { keys = null, models, rows = [], scene, shown, why = {} } = answer;
+    if (models && shown) job.named?.(models, shown);
     if (job.file && scene) return this.#end(this.found, { keys, scene });
     if (!rows.length) return this.#refuse('');
     for (const [k, row] of rows.entries()) {

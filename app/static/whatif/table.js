@@ -1,6 +1,7 @@
 // What is seen as a table: every impact of it, a row each, in SI units and with as many digits as were found.
 import { headed } from '../frame/share.js';
 import { text } from '../text/catalogue.js';
+import { BOUNDS } from './model_jobs.js';
 import { valueAt } from './places.js';
 import { NAMES, PLACE, WIDTH, shownOf } from './results.js';
 import { drawnOf } from './tolerance_jobs.js';
@@ -8,6 +9,7 @@ import { drawnOf } from './tolerance_jobs.js';
 /** @import { Axis } from './axes.js' */
 /** @import { Curve } from './curve_jobs.js' */
 /** @import { Result } from './results.js' */
+/** @import { Called } from '../text/words.js' */
 /** @import { Samples } from './tolerance_jobs.js' */
 /** @import { Window } from './window.js' */
 
@@ -90,6 +92,29 @@ export function tableOfTolerance(samples) {
     ...cellsOf(samples.found, n * WIDTH),
   ]);
   return { names: [...inputs.map(({ axis }) => headOf(axis)), ...RESULTS, WHY], rows };
+}
+
+/**
+ * Points of which it is known which model is enough, by bound of the error.
+ * @param {Window} view
+ * @param {Called[]} models  from the smallest up
+ * @returns {Table}
+ */
+export function tableOfModels(view, models) {
+  const { axes, index, lattice, nx, ny } = view;
+  const name = (/** @type {number} */ place) => {
+    const model = models[place - 1];
+    return model.modes ? `${model.name}-${model.modes}` : model.name;
+  };
+  const rows = [];
+  for (let j = 0; j < ny; j++)
+    for (let i = 0; i < nx; i++) {
+      const at = index[j * nx + i] * WIDTH;
+      if (at < 0 || !view.seen(i, j)) continue;
+      const refused = lattice.data[at] ? (lattice.why.get(view.key(i, j)) ?? text('whatif.refused')) : '';
+      rows.push([...view.row(i, j), ...BOUNDS.map((_, k) => (refused ? '' : name(lattice.data[at + 1 + k]))), refused]);
+    }
+  return { names: [headOf(axes.x), headOf(axes.y), ...BOUNDS.map((bound) => `model_within_${bound}`), WHY], rows };
 }
 
 /** @param {number | string} cell */

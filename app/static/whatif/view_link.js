@@ -1,5 +1,6 @@
 // What a link says of the view: the result, its axes, what is wanted; then parts by name, of which those are said that
 // are not as usual. What is no value here, or of a later version, is passed over.
+import { BOUNDS } from './model_jobs.js';
 import { longOf, placeOf, usualRange, valueAt } from './places.js';
 import { NAMES } from './results.js';
 
@@ -33,6 +34,7 @@ export function saidOf(whatif) {
   if (modes.mode === 'tolerance')
     for (const [name, part] of modes.tolerance.parts)
       if (whatif.axis(name)) parts.push(`tolerance:${name}:${Number(part.toPrecision(DIGITS))}`);
+  if (modes.mode === 'models') parts.push(`within:${modes.models.bound}`);
   const last = wanted === undefined ? (parts.length ? [''] : []) : [wanted];
   return modes.said + [result, named.x, named.y, ...last, ...parts].join(',');
 }
@@ -55,6 +57,7 @@ export function follow(whatif, said) {
     if (name === 'x' || name === 'y') show(whatif, whatif.axis({ x, y }[name]), values.map(Number));
     else if (name === 'gives' && whatif.axis(values[0]) && !whatif.axis(values[0])?.whole) [goal.gives] = values;
     else if (name === 'hold' && goal.wanted !== null) goal.keep(true);
+    else if (name === 'within' && BOUNDS.includes(Number(values[0]))) modes.models.bound = Number(values[0]);
     else if (name === 'tolerance' && whatif.axis(values[0])) {
       const share = values[1] ? Number(values[1]) : NaN;
       if (share >= 0 && share <= MOST) modes.tolerance.parts.set(values[0], share);

@@ -14,6 +14,7 @@ import { Hands } from './hands.js';
 import { Lattice } from './lattice.js';
 import { Window } from './window.js';
 import { MapJobs } from './map_jobs.js';
+import { BOUNDS } from './model_jobs.js';
 import { Modes } from './modes.js';
 import { Plane } from './plane.js';
 import { placeOf } from './places.js';
@@ -88,7 +89,7 @@ export class WhatIf {
     this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root, this.designs.root);
     this.foot = make('div', { className: 'whatif-foot' }, this.status, this.borders.root, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
-    this.hands = new Hands(this);
+    this.hands = new Hands(this, this);
   }
   /**
    * Have it in place of the picture.
@@ -186,11 +187,12 @@ export class WhatIf {
     for (const axis of this.axes) this.ranges.follow(axis, this.value(axis));
   }
   /**
-   * @param {'of' | 'x' | 'y'} slot
+   * @param {import('./sentence.js').Slot} slot
    * @param {string} name
    */
   choose(slot, name) {
     if (slot === 'of') this.result = /** @type {Result} */ (name);
+    else if (slot === 'within') this.modes.models.bound = Number(name);
     else {
       const other = slot === 'x' ? 'y' : 'x';
       if (this.named[other] === name) this.named[other] = this.named[slot];
@@ -248,7 +250,8 @@ export class WhatIf {
    */
   beside(results) {
     const { x, y } = this;
-    this.sentence.show({ results, axes: this.axes, of: this.result, x, y });
+    const { bound: within } = this.modes.models;
+    this.sentence.show({ results, axes: this.axes, of: this.result, x, y, bounds: BOUNDS, within });
     this.tiles.offer(results);
     this.designs.follow();
     if (this.modes.shown) this.tiles.say((result) => this.here(result), this.result);
@@ -304,6 +307,10 @@ export class WhatIf {
     shown.draw(results);
     this.domain = shown.domain;
     this.domainOf = '';
+  }
+  /** @param {[number, number] | null} at  What is under a pointer. */
+  look(at) {
+    this.borders.look(at);
   }
   /** What is above the map: the point of the scene. */
   over() {
@@ -366,7 +373,10 @@ export class WhatIf {
     const count = grouped(points.solved);
     const where = points.source === points.own ? 'browser' : 'server';
     const said = text('whatif.status', { count, where, busy: String(!this.jobs.idle) });
-    write(this.status, [said, ...points.by].join(' · '));
+    write(
+      this.status,
+      this.modes.shown === this.modes.models ? this.modes.models.status : [said, ...points.by].join(' · '),
+    );
   }
   /**
    * Set choices by hand.

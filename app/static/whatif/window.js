@@ -1,18 +1,17 @@
 // What a map shows of a lattice: which points it still needs, coarse ones first, and their values.
 import { MISSING } from './lattice.js';
 import { longOf, valueAt } from './places.js';
-import { NAMES, PLACE, WIDTH, shownOf, valueOf } from './results.js';
+import { PLACE, WIDTH, shownOf } from './results.js';
 
 /** @import { Axis } from './axes.js' */
 /** @import { Lattice } from './lattice.js' */
-/** @import { Result } from './results.js' */
+/** @import { Mapped } from './results.js' */
 
 const FINEST = 12; // levels: steps of 2^-level
 const LEAST = 3; // so that the coarse points have a step that divides one
 const COARSE = 8; // steps of the first picture, in steps of the finest
 const ROW = 2 ** 24;
 const STRAIGHT = 0.002; // of its scale, or of a decade: what a straight line may be off by
-const HALVINGS = 5; // of a step of the lattice, until a change of contacts is found to 1e-3 of an axis
 
 /** @typedef {{ x: Axis, y: Axis, x0: number, x1: number, y0: number, y1: number }} Axes  ends as places */
 /** @typedef {[i: number, j: number]} Point  of a window */
@@ -240,8 +239,8 @@ export class Window {
   }
   /** @param {number[]} points  three in a row */
   #bent(points) {
-    const { data } = this.lattice;
-    return NAMES.some((name) => {
+    const { data, names } = this.lattice;
+    return names.some((name) => {
       const { log, whole } = shownOf(name);
       const of = (/** @type {number} */ point) => data[point * WIDTH + PLACE[name]];
       const [before, here, after] = points.map((point) => (log ? Math.log10(of(point)) : of(point)));
@@ -251,11 +250,11 @@ export class Window {
   }
   /** How far each result reaches in what is known, so that what is small beside that is. */
   get scales() {
-    const { count, data } = this.lattice;
+    const { count, data, names } = this.lattice;
     if (this.#scaled?.count === count) return this.#scaled.scales;
     /** @type {Record<string, number>} */
     const scales = {};
-    for (const name of NAMES) {
+    for (const name of names) {
       let [low, high] = [Infinity, -Infinity];
       for (let k = 0; k < count; k++) {
         const value = data[k * WIDTH] ? NaN : data[k * WIDTH + PLACE[name]];
@@ -270,7 +269,7 @@ export class Window {
   /** @type {{ count: number, scales: Record<string, number> } | null} */ #scaled = null;
   /**
    * Values of a result, and contacts, at all points; holes are filled from coarser levels.
-   * @param {Result} name
+   * @param {Mapped} name
    */
   fill(name) {
     const { index, lattice, nx, ny } = this;
@@ -281,7 +280,7 @@ export class Window {
     for (let k = 0; k < n; k++) {
       this.contacts[k] = lattice.contacts(index[k]);
       if (this.contacts[k] <= 0) continue;
-      const value = valueOf(name, lattice.data, index[k] * WIDTH);
+      const value = lattice.value(name, index[k]);
       this.values[k] = log ? Math.log10(value) : value;
     }
     for (let s = COARSE / 2; s >= 1; s /= 2)
@@ -325,7 +324,9 @@ export class Window {
    */
   change(i, j, way) {
     const edge = this.lattice.edges.get(this.#edgeName(i, j, way));
-    return edge ? { at: (edge.low + edge.high) / 2, found: edge.steps >= HALVINGS } : { at: 0.5, found: false };
+    return edge
+      ? { at: (edge.low + edge.high) / 2, found: edge.steps >= this.lattice.halvings }
+      : { at: 0.5, found: false };
   }
   /**
    * Edges on which contacts change that are not found yet: half of each is looked at.
@@ -344,7 +345,7 @@ export class Window {
           const name = this.#edgeName(i, j, way);
           const edge = lattice.edges.get(name) ?? { low: 0, high: 1, from: here, steps: 0 };
           lattice.edges.set(name, edge);
-          if (edge.steps >= HALVINGS || lattice.halving.has(name)) continue;
+          if (edge.steps >= lattice.halvings || lattice.halving.has(name)) continue;
           const at = (edge.low + edge.high) / 2;
           found.push({ name, edge, at, row: way ? this.row(i, j + at) : this.row(i + at, j) });
         }

@@ -5,11 +5,10 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers import Auto, Modal, RigidImpulse, tradeoff
+from solvers import Auto, Modal, RigidImpulse, plan, tradeoff
 from solvers.accuracy import tradeoff as measuring
 from solvers.accuracy.quantities import Metrics, Reference
 from solvers.accuracy.refinement import ladders
-from solvers.regimes.solved import solved_candidates
 from tests.catalog import SCENES
 
 FOUR_BAR, BENT = SCENES["four-bar"], SCENES["bent-rods"]
@@ -39,7 +38,7 @@ def test_time_against_error_from_rigid_links_to_many_modes(table):
     assert "modal modes=20" not in errors and table.stopped is None
     sizes = [abs(errors[f"modal modes={count}"]["rebound"]) for count in (1, 5, 8, 12)]
     assert np.all(np.diff(sizes) < 0.0) and sizes[-1] < 1e-4
-    candidates, _ = solved_candidates(FOUR_BAR, 0)
+    candidates = plan(FOUR_BAR, "final-velocities").candidates
     expected = {each.name: each.expected_error for each in candidates if each.modes is None}
     assert expected["rigid-impulse"] == approx(abs(errors["rigid"]["rebound"]), rel=1e-5)  # in speeds of the fine links
     assert table.front("rebound")[-1].label == "modal modes=12"

@@ -4,7 +4,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers import Modal, plan
+from solvers import Modal, Waves, plan
 from solvers.regimes.solved import COUNTS
 from tests.catalog import SCENES
 from tests.solvers.bodies.linkage.mechanisms import four_bar, rotating_bar
@@ -71,3 +71,44 @@ def test_more_modes_than_links_have_are_asked_of_the_links():
     striking = plan(SCENES["trip-hammer"].replace({"impactor.links.1.modes": 3}), "final-velocities", 1e-3)
     assert striking.chosen.modes == striking.chosen.changes["impactor.links.1.modes"] == 5
     assert striking.planned.impactor.links[0].modes == 5
+
+
+@pytest.mark.parametrize(
+    "name, question, read",
+    [
+        ("bronze-rod-steel-ball", "peak-force", lambda found: found.peak_force),
+        ("hammer-on-cantilever", "contact-times", lambda found: found.contacts[-1].end),
+        ("two-unequal-rods", "final-velocities", lambda found: found.impactor_velocity),
+    ],
+)
+def test_any_scene_that_rings_is_solved_with_each_model_where_that_is_asked_for(name, question, read):
+    """By exact waves where they can, else by 80 modes; each error is that of the model as it is to be solved."""
+    scene = SCENES[name]
+    found = plan(scene, question, 0.01, solve=True)
+    true = read(Modal(modes=80).solve(scene) if scene.target.bends else Waves().solve(scene))
+    size = scene.speed if question == "final-velocities" else true
+    names = [each.name for each in found.candidates]
+    assert names.index("rigid-impulse") == 0 and found.measured
+    assert ("waves" in names) == (not scene.target.bends)
+    for candidate in found.candidates:
+        if candidate.expected_error < float("inf") and not candidate.modes:
+            missed = abs(read(solvers.solve(scene.replace(candidate.changes))) - true) / size
+            assert missed == approx(candidate.expected_error, rel=1e-3, abs=1e-7)
+    assert abs(read(solvers.solve(found.planned)) - true) / size <= max(0.01, found.expected_error * SAME)
+    errors = [candidate.expected_error for candidate in found.candidates if candidate.modes]
+    assert errors == sorted(errors, reverse=True)
+
+
+@pytest.mark.parametrize("name", ["drop-test", "two-balls", "brick-off-centre"])
+def test_what_has_nothing_that_rings_is_planned_as_before(name):
+    assert plan(SCENES[name], "peak-force", solve=True).table() == plan(SCENES[name], "peak-force").table()
+
+
+def test_weight_is_in_each_model():
+    """A model that leaves out weight is none of those of a scene in which it acts."""
+    scene = SCENES["hammer-on-cantilever"].replace({"contact": HERTZ, "impactor": {"mass": 0.5, "height": 0.2}})
+    found = plan(scene, "peak-force", 0.01, solve=True)
+    assert scene.weight_acceleration and any(each.modes for each in found.candidates)
+    for candidate in found.candidates:
+        method = candidate.changes["method"]
+        assert not solvers.METHODS[method["name"]]().neglects_weight(scene)
