@@ -56,6 +56,8 @@ export class Plane {
   /** @type {Domain} */ domain = [0, 1];
   bar = new Bar();
   letters = new Letters();
+  blank = false; // nothing but axes and point is seen, as it is asked for
+  /** @type {((c: Context, spot: (places: Spot) => Spot) => void) | null} */ guest = null; // draws above all else
 
   constructor() {
     this.root = make('div', { className: 'whatif-map' }, this.base, this.over);
@@ -84,6 +86,10 @@ export class Plane {
     if (!c) return;
     const { plot, raster } = this;
     this.domain = domain;
+    if (this.blank) {
+      this.#empty(c, view);
+      return;
+    }
     raster.draw(view, moving ? STEPS.moving : STEPS.still / this.fine, colouring(paletteOf(result), domain));
     c.save();
     c.beginPath();
@@ -114,6 +120,22 @@ export class Plane {
     this.#count(c, view);
     for (const [level, line] of this.lines) if (level !== goal) this.#name(c, result, level, line);
     c.restore();
+    this.#axes(c, view);
+  }
+  /**
+   * @param {Context} c
+   * @param {Window} view
+   */
+  #empty(c, view) {
+    const { h, w, x, y } = this.plot;
+    this.goal = [];
+    c.beginPath();
+    c.roundRect(x, y, w, h, ROUND);
+    c.fillStyle = COLOR.ring;
+    c.fill();
+    c.strokeStyle = COLOR.line;
+    c.lineWidth = 1;
+    c.stroke();
     this.#axes(c, view);
   }
   /** @param {Context} c  What is refused. */
@@ -269,12 +291,13 @@ export class Plane {
     const c = cleared(this.over, this.root)?.c;
     if (!c) return;
     const { plot } = this;
-    if (!this.narrow) this.bar.draw(c, plot, this.domain, shown);
+    if (!this.narrow && !this.blank) this.bar.draw(c, plot, this.domain, shown);
     const spot = (/** @type {Spot} */ [p, q]) =>
       /** @type {Spot} */ ([plot.x + ((p - x0) / (x1 - x0)) * plot.w, plot.y + (1 - (q - y0) / (y1 - y0)) * plot.h]);
     this.letters.draw(c, plot, shown.kept, shown.way, spot);
     this.at = spot(shown.at);
     this.#point(c, shown, this.#holds(...this.at));
+    this.guest?.(c, spot);
   }
   /**
    * @param {number} px
@@ -306,6 +329,7 @@ export class Plane {
     c.lineWidth = 3;
     c.strokeStyle = COLOR.ring;
     c.stroke();
+    if (this.blank) return;
     const words = written(result, value);
     const size = narrow ? 22 : 28;
     c.font = letters(size, '650 ');
@@ -321,6 +345,7 @@ export class Plane {
    * @returns {'point' | 'letter' | 'goal' | 'bar' | 'map' | null}
    */
   under(px, py) {
+    if (this.blank) return null;
     if (Math.hypot(px - this.at[0], py - this.at[1]) < POINT.reach) return 'point';
     if (this.letters.under(px, py)) return 'letter';
     const { plot } = this;
