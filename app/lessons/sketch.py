@@ -103,7 +103,8 @@ def _judges(
 def _judge(fields: Fields, criteria: dict[str, Criterion], across: tuple[float, float] | None) -> Judge | None:
     named = [each for each in criteria if each in fields.given]
     if len(named) != 1:
-        fields.problem("", "one-criterion", value=", ".join(named) or "nothing", names=[*criteria])
+        example = f"near = [{across[0]:g}, {across[1]:g}]" if across else "jump = 1"
+        fields.problem("", "one-criterion", value=", ".join(named) or "nothing", names=[*criteria], example=example)
         return None
     criterion = criteria[named[0]]
     at: Time | Span | None
