@@ -10,7 +10,7 @@ from solvers.validation import whole_number
 from .fields import LARGEST, Fields, numbers
 from .lesson import Boundary, Judge, Part, Sketch, Span, Time
 from .problems import wanted
-from .scales import is_log, share_of
+from .scales import Range, is_log, share_of
 from .stage import Stage, bounds_of
 
 BOUNDARY = "boundary"
@@ -63,25 +63,25 @@ def read_sketch(fields: Fields, stage: Stage, name: str, line: int) -> Part:
 
 def _boundary(fields: Fields, stage: Stage, name: str, line: int) -> Part:
     """Over the map of its step; places of the file are values of settings, and become shares of what is shown."""
-    settings = stage.map[1:] if stage.map else ()
-    if not settings or not {*settings} <= {*stage.mapped()}:
-        settings = ()
+    settings = (stage.map[1], stage.map[2]) if stage.map else ("", "")
+    shown = {*settings} <= {*stage.mapped()}
+    if not shown:
         fields.refuse("track", BOUNDARY, wanted("boundary"))
-    bounds = [bounds_of(each) for each in settings] or [(-LARGEST, LARGEST)] * 2
+    bounds = [bounds_of(each) if shown else (-LARGEST, LARGEST) for each in settings]
     across = fields.interval("across", *bounds[0], must=True) or bounds[0]
     upwards = fields.interval("upwards", *bounds[1], must=True) or bounds[1]
     logs = is_log(bounds[0]), is_log(bounds[1])
     contacts = fields.tried("contacts", lambda key, value: whole_number(key, value, *CONTACTS), CONTACTS[0], True)
     given = fields.tried("given", _pair, None, False)
     if given:
-        given = share_of(given[0], across, logs[0]), share_of(given[1], upwards, logs[1])
-    judges = []
-    for each in _judges(fields, OF_BOUNDARY, across):
-        first, last = (share_of(end, across, logs[0]) for end in each.at)
-        judges.append(replace(each, at=(first, last)))
+        place, value = share_of(given[0], across, logs[0]), share_of(given[1], upwards, logs[1])
+        if not (0.0 <= place <= 1.0 and 0.0 <= value <= 1.0):
+            fields.refuse("given", [*given], wanted("given"))
+        given = place, value
+    judges = tuple(replace(each, at=_shares(each.at, across, logs[0])) for each in _judges(fields, OF_BOUNDARY, across))
     return Boundary(
-        name=name, line=line, track=BOUNDARY, unit="", until=1.0, axis=(0.0, 1.0), given=given, judges=tuple(judges),
-        contacts=contacts, settings=(*settings, "", "")[:2], ranges=(across, upwards), logs=logs,
+        name=name, line=line, track=BOUNDARY, unit="", until=1.0, axis=(0.0, 1.0), given=given, judges=judges,
+        contacts=contacts, settings=settings, ranges=(across, upwards), logs=logs,
     )  # fmt: skip
 
 
@@ -92,15 +92,19 @@ def _pair(key: str, value: Any) -> tuple[float, ...]:
     return found
 
 
-def _judges(
-    fields: Fields, criteria: dict[str, Criterion], across: tuple[float, float] | None = None
-) -> tuple[Judge, ...]:
+def _shares(at: Time | Span, across: Range, log: bool) -> Span:
+    """Of a stretch between two values."""
+    first, last = at if isinstance(at, tuple) else (at, at)
+    return share_of(float(first), across, log), share_of(float(last), across, log)
+
+
+def _judges(fields: Fields, criteria: dict[str, Criterion], across: Range | None = None) -> tuple[Judge, ...]:
     """`across`: between which values of a setting they are, None where they are in time."""
     found = [_judge(each, criteria, across) for each in fields.tables("judge", 1, 10)]
     return tuple(each for each in found if each)
 
 
-def _judge(fields: Fields, criteria: dict[str, Criterion], across: tuple[float, float] | None) -> Judge | None:
+def _judge(fields: Fields, criteria: dict[str, Criterion], across: Range | None) -> Judge | None:
     named = [each for each in criteria if each in fields.given]
     if len(named) != 1:
         example = f"near = [{across[0]:g}, {across[1]:g}]" if across else "jump = 1"

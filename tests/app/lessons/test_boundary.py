@@ -84,6 +84,7 @@ def test_values_of_settings_become_shares_of_what_is_shown():
         ("falls = [0.1, 10]", "falls = [0.01, 10]", 21, "judge[1].falls: got [0.01, 10]; allowed: two numbers that"),
         ("falls = [0.1, 10]", "jump = 1", 20, "judge[1]: got nothing; allowed: one of falls, rises, near as a key"),
         ("falls = [0.1, 10]", "falls = ['touch', 'part']", 21, "judge[1].falls: got ['touch', 'part']; allow"),
+        ("given = [1, 1e11]", "given = [1, 1e13]", 19, "given: got [1.0, 10000000000000.0]; allowed: two numbers, a"),
         ("contacts = 2", "contacts = 2\nunit = 'N'", 17, "unit: got 'N'; allowed: no such key"),
     ],
 )  # fmt: skip
