@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from .figures import OF_RESULTS, figure, of_formula
 from .formula import Formula, Mixed, Quantity
-from .lesson import Lesson, Number, Part
+from .lesson import Boundary, Lesson, Number, Part
 from .problems import Problems
 from .solving import Shown
 from .units import TIME_UNIT, alike, dimension_of
@@ -24,13 +24,19 @@ class Solved(NamedTuple):
     mistakes: tuple[float | None, ...]
 
 
-def with_answers(lesson: Lesson, found: Mapping[str, Solved]) -> Lesson:
+Truth = tuple[float, ...]  # of a boundary that is drawn
+
+
+def with_answers(lesson: Lesson, found: Mapping[str, Solved | Truth]) -> Lesson:
     """The lesson with what was solved for its questions, by name."""
 
     def filled(part: Part) -> Part:
-        if not isinstance(part, Number) or part.unsolved is None or part.name not in found:
+        own = found.get(part.name) if isinstance(part, Number | Boundary) else None
+        if isinstance(part, Boundary) and own:
+            return replace(part, truth=own)
+        if not isinstance(part, Number) or part.unsolved is None or not isinstance(own, Solved):
             return part
-        answer, answers = found[part.name]
+        answer, answers = own
         share = part.unsolved.share
         tolerance = part.tolerance if share is None else share * abs(answer)
         mistakes = tuple(replace(each, answer=own) for each, own in zip(part.mistakes, answers, strict=True))
@@ -42,18 +48,22 @@ def with_answers(lesson: Lesson, found: Mapping[str, Solved]) -> Lesson:
 
 def solves(lesson: Lesson) -> bool:
     """Whether any answer is to be solved for."""
-    return any(isinstance(part, Number) and part.unsolved for step in lesson.steps for part in step.parts)
+    parts = [part for step in lesson.steps for part in step.parts]
+    return any(isinstance(part, Boundary) or (isinstance(part, Number) and part.unsolved) for part in parts)
 
 
-def unsolved(lesson: Lesson) -> list[Number]:
+def unsolved(lesson: Lesson) -> list[Number | Boundary]:
     """Questions that have no answer yet."""
-    parts = [part for step in lesson.steps for part in step.parts if isinstance(part, Number)]
-    return [part for part in parts if part.answer is None or any(_lacks(part))]
+    parts = [part for step in lesson.steps for part in step.parts if isinstance(part, Number | Boundary)]
+    return [part for part in parts if _lacks(part)]
 
 
-def _lacks(part: Number) -> list[bool]:
+def _lacks(part: Number | Boundary) -> bool:
+    if isinstance(part, Boundary):
+        return not part.truth
     formulas = part.unsolved.mistakes if part.unsolved else ()
-    return [given is not None and each.answer is None for given, each in zip(formulas, part.mistakes, strict=False)]
+    pairs = zip(formulas, part.mistakes, strict=False)
+    return part.answer is None or any(given is not None and each.answer is None for given, each in pairs)
 
 
 def answers_of(part: Number, shown: Shown, problems: Problems) -> Solved | None:
@@ -113,10 +123,14 @@ def _factor(unit: str, shown: Shown) -> float:
 
 
 @cache
-def stored() -> dict[str, dict[str, Solved]]:
+def stored() -> dict[str, dict[str, Solved | Truth]]:
     """Those of the lessons of the program, by lesson and question: a server reads them without solving anything."""
     found = json.loads(STORED.read_text(encoding="utf-8")) if STORED.is_file() else {}
-    return {
-        lesson: {name: Solved(answer, tuple(mistakes)) for name, (answer, mistakes) in questions.items()}
-        for lesson, questions in found.items()
-    }
+    return {lesson: {name: _stored(own) for name, own in questions.items()} for lesson, questions in found.items()}
+
+
+def _stored(own: dict[str, list[float]] | list) -> Solved | Truth:
+    if isinstance(own, dict):
+        return tuple(own["boundary"])
+    answer, mistakes = own
+    return Solved(answer, tuple(mistakes))

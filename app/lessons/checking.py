@@ -14,17 +14,20 @@ from solvers import SceneError, Solution
 from solvers.jit.compiling import NotCompiled
 
 from ..choices.choices import Choices
-from .answers import Solved, answers_of, with_answers
+from .answers import Solved, Truth, answers_of, with_answers
+from .boundary import boundary_of
 from .events import times_of
-from .judging import exact_line, judged
-from .lesson import Lesson, Number, Order, Part, Scene, Set, Sketch, Span, Step, Time
+from .judging import exact_boundary, exact_line, judged
+from .lesson import Boundary, Lesson, Number, Order, Part, Scene, Set, Sketch, Span, Step, Time
 from .problems import LessonError, Problem, Problems
 from .reading import Read, read_in_full
+from .scales import value_at
 from .showing import has
 from .solving import Shown, fallen, meets, solved
 
 PLACES = 9  # of a range, at which a goal is tried
 PLACES_ANYWHERE = 41
+LEVELS = 101  # heights of a map at which a level line is tried
 WIDE = 10.0  # from this ratio of its ends on, places of a range are spaced by a constant factor
 
 
@@ -68,7 +71,7 @@ class _Check:
         self.problems, self.whole = Problems(), True
         self.opens = False  # whether a drop is shown as a whole by now
         self.known: dict[str, Shown | None] = {}
-        self.answers: dict[str, Solved] = {}
+        self.answers: dict[str, Solved | Truth] = {}
         self.ends = time.process_time() + seconds
         for number, step in enumerate(read.lesson.steps):
             try:
@@ -95,7 +98,9 @@ class _Check:
             self._spans(part, times)
             if isinstance(part, Scene):
                 self._scene(part, step)
-            if isinstance(part, Sketch):
+            if isinstance(part, Boundary):
+                self._boundary(part, step)
+            elif isinstance(part, Sketch):
                 self._sketch(part, shown.solution, times)
             if isinstance(part, Order):
                 self._order(part, times)
@@ -148,10 +153,28 @@ class _Check:
         named = {each for judge in part.judges for each in _ends(judge.at)} | {part.until}
         if part.track != "force" or any(math.isnan(_time(each, times)) for each in named):
             return
-        line = exact_line(solution, part, _time(part.until, times))
+        self._accepts(part, exact_line(solution, part, _time(part.until, times)), times)
+
+    def _accepts(self, part: Sketch, line: np.ndarray, times: dict[str, float]) -> None:
         for judge, verdict in zip(part.judges, judged(line, part, times), strict=True):
             if verdict.outcome != "yes":
                 self.problems.add(judge.line, "truth-refused", key=judge.criterion, value=verdict.outcome)
+
+    def _boundary(self, part: Boundary, step: Step) -> None:
+        """It is there all across, once, and no level line would do."""
+        found = boundary_of(part, lambda **changes: self._now(step, **changes), self.problems)
+        if found is None:
+            return
+        self.answers[part.name] = found
+        solved_for = replace(part, truth=found)
+        line = exact_boundary(solved_for)
+        self._accepts(solved_for, line, {})
+        for level in np.linspace(0.0, 1.0, LEVELS):
+            said = judged(np.full(line.size, level), solved_for, {})
+            if said and all(verdict.outcome == "yes" for verdict in said):
+                value = value_at(level, part.ranges[1], part.logs[1])
+                self.problems.add(part.line, "boundary-level", name=part.settings[1], value=value)
+                return
 
     def _order(self, part: Order, times: dict[str, float]) -> None:
         last = -math.inf

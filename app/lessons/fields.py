@@ -16,7 +16,7 @@ from .problems import Problems, wanted
 from .prose import sentence
 
 LONGEST = 600  # characters of a sentence
-LARGEST = 1e12
+LARGEST = 1e15
 NAME = re.compile(r"[a-z][a-z0-9-]{0,39}")
 
 

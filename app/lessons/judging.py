@@ -1,6 +1,7 @@
 """What the criteria of a sketch say of a line: the exact curve must get every `yes`, which `check` sees to.
 
-A line is one value for each hundredth of T, in units of the chart. The page judges by the same rules.
+A line is one value for each hundredth of T, in units of the chart; over a map for each hundredth of what is shown, in
+shares of it. The page judges by the same rules.
 """
 
 import math
@@ -10,7 +11,7 @@ import numpy as np
 
 from solvers import Solution
 
-from .lesson import Judge, Sketch, Time
+from .lesson import Boundary, Judge, Sketch, Time
 
 BIN = 0.01  # [T]
 NOTHING = 0.025  # of the height of the chart: what is drawn below is zero
@@ -38,10 +39,17 @@ def exact_line(solution: Solution, sketch: Sketch, until: float) -> np.ndarray:
     return SCALES[sketch.unit] * found
 
 
+def exact_boundary(sketch: Boundary) -> np.ndarray:
+    """The line over a map that was solved for, shape (bins,)."""
+    places = np.linspace(0.0, 1.0, len(sketch.truth))
+    return np.interp(np.linspace(0.0, 1.0, round(1.0 / BIN) + 1), places, sketch.truth)
+
+
 def judged(line: np.ndarray, sketch: Sketch, times: dict[str, float]) -> list[Verdict]:
     """One verdict for each criterion; `times` of events [T]. Gaps of a line are to be filled before."""
     zero = NOTHING * (sketch.axis[1] - sketch.axis[0])
-    return [JUDGED[each.criterion](_Line(line, zero), each, _when(each, times)) for each in sketch.judges]
+    truth = exact_boundary(sketch) if isinstance(sketch, Boundary) else line
+    return [JUDGED[each.criterion](_Line(line, zero, truth), each, _when(each, times)) for each in sketch.judges]
 
 
 def _when(judge: Judge, times: dict[str, float]) -> tuple[float, float]:
@@ -54,8 +62,8 @@ def _time(given: Time, times: dict[str, float]) -> float:
 
 
 class _Line:
-    def __init__(self, values: np.ndarray, zero: float):
-        self.values, self.nothing = values, values <= zero
+    def __init__(self, values: np.ndarray, zero: float, truth: np.ndarray):
+        self.values, self.nothing, self.truth = values, values <= zero, truth
 
     def between(self, first: float, last: float) -> np.ndarray:
         """Values of a stretch [T]."""
@@ -150,7 +158,19 @@ def _zero_beyond(line: _Line, judge: Judge, when: tuple[float, float]) -> Verdic
     return Verdict("yes" if part.size == 0 or part.max() <= judge.slack else "no", true=when[0])
 
 
+def _near(line: _Line, judge: Judge, when: tuple[float, float]) -> Verdict:
+    """Nowhere farther from the truth than it may be."""
+    first, last = round(when[0] / BIN), round(when[1] / BIN)
+    off = (line.values - line.truth)[first : last + 1]
+    worst = int(np.abs(off).argmax())
+    place = BIN * (first + worst)
+    if abs(off[worst]) <= judge.within + 1e-9:
+        return Verdict("yes", place, place)
+    return Verdict("high" if off[worst] > 0.0 else "low", place, place)
+
+
 JUDGED = {
+    "near": _near,
     "falls": _falls,
     "rises": _rises,
     "jump": _jump,

@@ -202,6 +202,20 @@ class Sketch(Question):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Boundary(Sketch):
+    """A line over a map that is drawn before its colours are seen: from where on there are so many contacts.
+
+    Places along it, and values, are shares of what is shown of both settings: `until` is 1, `axis` from 0 to 1.
+    """
+
+    contacts: int
+    settings: tuple[str, str]  # across and upwards
+    ranges: tuple[tuple[float, float], tuple[float, float]]  # what of them is shown
+    logs: tuple[bool, bool]  # whether shares of them are of ratios
+    truth: tuple[float, ...] = ()  # at equal steps across; empty until it is solved for
+
+
+@dataclass(frozen=True, kw_only=True)
 class After(Part):
     """What is shown and said behind the answer."""
 

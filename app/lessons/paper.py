@@ -8,7 +8,22 @@ from solvers.text.catalogue import SOURCE, Catalogue
 from ..choices.choices import title_of
 from ..text.catalogues import LANGUAGES, lessons, page
 from .checking import spans_met
-from .lesson import Choice, Lesson, Number, Order, Part, Question, Sentence, Set, Sketch, Step, Summary, Text, Time
+from .lesson import (
+    Boundary,
+    Choice,
+    Lesson,
+    Number,
+    Order,
+    Part,
+    Question,
+    Sentence,
+    Set,
+    Sketch,
+    Step,
+    Summary,
+    Text,
+    Time,
+)
 
 LINE = "_" * 30
 DIGITS = 4  # of a number
@@ -91,6 +106,11 @@ class Paper:
         return self._said("set", title=self.setting(part.slider), low=low, high=high, start=part.start) + f" {LINE}"
 
     def ask_sketch(self, part: Sketch) -> str:
+        if isinstance(part, Boundary):
+            across, upwards = (self.setting(each) for each in part.settings)
+            (left, right), (low, high) = part.ranges
+            ends = {"left": left, "right": right, "low": low, "high": high}
+            return self._said("boundary", contacts=part.contacts, across=across, upwards=upwards, **ends)
         low, high = part.axis
         return self._said("sketch", unit=part.unit, low=low, high=high, until=self._time(part.until))
 

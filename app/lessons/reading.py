@@ -167,6 +167,8 @@ def _read_scene(fields: Fields, stage: Stage, name: str, line: int) -> Part:
         if scene:
             stage.turn_to(scene)
     changes, show, map_ = stage.change(fields), read_shown(fields, stage), read_map(fields, stage)
+    if show:
+        stage.map = map_ if "map" in show else None
     sliders, beside = stage.sliders(fields), stage.settings(fields, "beside")
     fields.reading.events = stage.events()
     play, at, time = fields.span("play"), fields.time("at"), fields.choice("time", CLOCKS, CLOCKS[0])

@@ -35,6 +35,7 @@ class Stage:
 
     def __init__(self, scene: str):
         self.scene, self.changes = scene, dict[str, Any]()
+        self.map: tuple[str, ...] | None = None  # that is shown: its result and settings, empty for the page's own
 
     def own(self) -> dict[str, Any]:
         """A value for every choice."""

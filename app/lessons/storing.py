@@ -3,21 +3,26 @@
 import json
 
 from .answers import STORED
-from .lesson import Lesson, Number
+from .lesson import Boundary, Lesson, Number
 from .reading import read_in_full
 from .shipped import FOLDER, shipped_names
 
 DIGITS = 12  # those behind them are of the machine
 
 
-def solved_answers(lesson: Lesson) -> dict[str, list]:
-    """[answer, answers of mistakes] by question, of those that have a formula."""
-    parts = [part for step in lesson.steps for part in step.parts if isinstance(part, Number) and part.unsolved]
-    return {part.name: [part.answer, [each.answer for each in part.mistakes]] for part in parts}
+def solved_answers(lesson: Lesson) -> dict[str, list | dict]:
+    """By question: [answer, answers of mistakes] of those that have a formula, and lines of boundaries."""
+    found: dict[str, list | dict] = {}
+    for part in (part for step in lesson.steps for part in step.parts):
+        if isinstance(part, Number) and part.unsolved:
+            found[part.name] = [part.answer, [each.answer for each in part.mistakes]]
+        if isinstance(part, Boundary):
+            found[part.name] = {"boundary": [*part.truth]}
+    return found
 
 
 def main() -> None:
-    """Solve the scenes of all lessons that have formulas."""
+    """Solve the scenes of all lessons whose answers are solved for."""
     from .checking import tried
 
     found = {}

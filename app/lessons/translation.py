@@ -9,7 +9,21 @@ from solvers import SceneError
 from .document import Block, Document, Lines, Section, text_of
 from .problems import LessonError, Problems, wanted
 
-SENTENCES = ("text", "say", "yes", "no", "early", "late", "small", "none", "not-yet", "more", "all")  # keys
+SENTENCES = (
+    "text",
+    "say",
+    "yes",
+    "no",
+    "early",
+    "late",
+    "small",
+    "none",
+    "high",
+    "low",
+    "not-yet",
+    "more",
+    "all",
+)  # keys
 OF_HEAD = ("title", "title-before", "for")  # which a translation may have
 SAME = ("lesson", "version")  # which it repeats
 

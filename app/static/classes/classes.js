@@ -4,10 +4,10 @@ import { keep, kept } from '../browser/store.js';
 import { text } from '../text/catalogue.js';
 import { questionsOf } from '../lesson/code.js';
 import { onlyHere } from '../frame/share.js';
-import { curveOf, eventsOf, timeOf } from '../lesson/events.js';
+import { eventsOf, timeOf } from '../lesson/events.js';
 import { copyButton } from '../lesson/handed.js';
 import { keyOf } from '../lesson/print.js';
-import { FACTORS } from '../lesson/sketch.js';
+import { soIn } from '../lesson/sketch.js';
 import { csvOf } from './csv.js';
 import { frameOf } from './frame.js';
 import { Laid } from './lay.js';
@@ -33,7 +33,7 @@ export class Reading {
     this.record = record;
     this.name = `class.${record.lesson}`;
     const sketches = questionsOf(record).filter(({ kind }) => kind === 'sketch');
-    this.laid = new Map(sketches.map((part) => [part, new Laid(part.axis)]));
+    this.laid = new Map(sketches.map((part) => [part, new Laid(part)]));
     this.area = make('textarea', { rows: 8, spellcheck: false, autocomplete: 'off' });
     this.area.value = kept(this.name, '', true);
     this.area.oninput = () => this.#read();
@@ -106,7 +106,7 @@ export class Reading {
    */
   #known(part, frame) {
     const laid = /** @type {Laid} */ (this.laid.get(part));
-    laid.curve = curveOf(frame, FACTORS[part.unit] ?? 1);
+    laid.curve = soIn(part, frame);
     laid.events = eventsOf(frame);
     laid.until = timeOf(part.until, laid.events);
     this.#read();

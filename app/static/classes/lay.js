@@ -4,11 +4,13 @@ import { COLORS } from '../charts/styles.js';
 import { make } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
-import { axes, OWN, Paper, say } from '../lesson/drawing.js';
+import { axes, border, OWN, Paper, say } from '../lesson/drawing.js';
 import { timeOf } from '../lesson/events.js';
+import { marksOf } from '../lesson/settings.js';
 
 /** @import { Samples } from '../charts/scale.js' */
 /** @import { Events } from '../lesson/events.js' */
+/** @import { Part } from '../lesson/questions.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 
 const WIDTH = 2; // pixels of a line
@@ -32,12 +34,20 @@ export class Laid {
   until = NaN; // [T]
   /** @type {Events} */ events = {}; // of the frame, which comes later
 
-  /** @param {[low: number, high: number]} axis */
-  constructor(axis) {
-    this.axis = axis;
+  /** @param {Part} part */
+  constructor(part) {
+    this.axis = /** @type {[low: number, high: number]} */ (part.axis);
+    this.marks = marksOf(part);
     this.canvas = make('canvas', { ariaHidden: 'true' });
     this.root = make('div', { className: 'class-laid', role: 'img' }, this.canvas);
     new ResizeObserver(() => this.draw()).observe(this.root);
+  }
+  /**
+   * What stands in the gaps of a sentence for all of them: when it is so, by a clock.
+   * @param {number | string | [number | string, number | string]} at
+   */
+  gaps(at) {
+    return { yours: '…', true: this.marks ? '…' : this.timeWords(at), at: '…', off: '…' };
   }
   /**
    * A time of the lesson file, as it is written.
@@ -48,11 +58,11 @@ export class Laid {
     return Number.isFinite(t) ? `${figures(Number(t.toFixed(2)), 4)} T` : '…';
   }
   draw() {
-    const { axis, curve, lines, until } = this;
+    const { axis, curve, lines, marks, until } = this;
     const sheet = this.root.isConnected && until > 0 ? cleared(this.canvas, this.root) : null;
     if (!sheet) return;
     const { c, height, width } = sheet;
-    const paper = new Paper(width, height, { axis, until });
+    const paper = new Paper(width, height, { axis, marks, until });
     axes(c, paper);
     c.lineJoin = 'round';
     c.lineWidth = WIDTH;
@@ -65,6 +75,10 @@ export class Laid {
         line.map((value, k) => [(k / (line.length - 1)) * until, value]),
       );
     c.globalAlpha = 1;
+    if (marks) {
+      border(c, paper, curve);
+      return;
+    }
     const seen = Array.from(curve.x, (t, k) => /** @type {[number, number]} */ ([t, curve.y[k]]));
     c.strokeStyle = COLORS.panel; // an edge, by which it stands out from the lines
     c.lineWidth = 3 * WIDTH;

@@ -6,7 +6,7 @@ import { LABELS } from '../text/words.js';
 import { signOf } from '../lesson/answered.js';
 import { shareOf } from '../lesson/code.js';
 import { elementsOf } from '../lesson/nodes.js';
-import { TRACKS } from '../lesson/sketch.js';
+import { nameOf } from '../lesson/settings.js';
 import { foundOf, numbersOf, outcomesOf, pickedOf, placesOf, triesOf } from './counts.js';
 
 /** @import { Answer } from '../lesson/code.js' */
@@ -138,7 +138,7 @@ function drawn(part, given, laid) {
   const late = given.filter((each) => each.late).length;
   const counts = outcomesOf(part, given);
   const tables = part.judges.map((/** @type {Part} */ { at, says }, /** @type {number} */ k) => {
-    const gaps = { yours: '…', true: laid.timeWords(at) };
+    const gaps = laid.gaps(at);
     const lines = Object.entries(counts[k]).map(([outcome, count]) => {
       return { right: outcome === 'yes', words: elementsOf(says[outcome] ?? [], gaps), count };
     });
@@ -146,8 +146,7 @@ function drawn(part, given, laid) {
   });
   const words = text('class.of-sketch', { count: given.length, late });
   requestAnimationFrame(() => laid.draw());
-  const axis = text('lesson.axis', { track: TRACKS[part.track], unit: part.unit });
-  const named = make('p', { className: 'class-axis', textContent: axis });
+  const named = make('p', { className: 'class-axis', textContent: nameOf(part) });
   return [make('p', { textContent: words }), named, laid.root, make('div', { className: 'class-criteria' }, ...tables)];
 }
 

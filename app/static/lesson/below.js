@@ -16,6 +16,7 @@ export class Below {
   /** @type {TaughtMap | null} */ map = null; // once a step has shown one
   /** @type {string[]} */ of = []; // its result and its axes
   fetched = false;
+  /** @type {any} */ question = null; // that is drawn on the map
 
   /**
    * @param {Page} page
@@ -85,7 +86,9 @@ export class Below {
       }
       this.lend();
     }
-    if (this.names.includes(MAP)) await this.map?.show(this.of.join(','));
+    if (!this.names.includes(MAP)) return;
+    this.map?.lay(this.question);
+    await this.map?.show(this.of.join(','));
   }
   /**
    * @param {string[]} names
@@ -95,6 +98,7 @@ export class Below {
   show(names, there, of) {
     const { analyses, root } = this.page;
     this.names = names;
+    this.map?.lay(this.question);
     if (there) this.#chart(names, of);
     for (const view of there ? analyses.all : []) if (view.open !== this.#shows(view.root)) view.toggle();
     root.classList.toggle('charted', names.length > 0);

@@ -51,6 +51,7 @@ export const OUTCOMES = {
   'zero-from': ['yes', 'early', 'late', 'none'],
   push: ['yes', 'none'],
   'zero-beyond': ['yes', 'no'],
+  near: ['yes', 'high', 'low'],
 };
 
 export class CodeError extends Error {

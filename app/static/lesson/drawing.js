@@ -9,9 +9,16 @@ import { BIN, joined } from './judge.js';
 /** @import { Samples } from '../charts/scale.js' */
 /** @import { Judgement } from './judge.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
+/** @typedef {{ share: number, words: string }} Mark */
+/**
+ * Of axes that are settings: where they have numbers, and what they are called.
+ * @typedef {{ across: Mark[], upwards: Mark[], titles: string[] }} Marks
+ */
+/** @typedef {Pick<Paper, 'axis' | 'bottom' | 'left' | 'tall' | 'top' | 'until' | 'wide' | 'x' | 'y'>} Sheet */
 
 export const OWN = KEPT.B; // the colour of whatever is set beside what happens
 const ROOM = { left: 46, right: 14, top: 14, bottom: 26 }; // pixels about the chart
+const ROOM_OF_SETTINGS = { left: 56, right: 14, top: 28, bottom: 44 };
 const TICK = { across: 90, down: 60 }; // pixels between two, about
 const RING = 5.5; // pixels
 const HEAD = 5; // of an arrow
@@ -21,6 +28,7 @@ const CLEAR = 26; // pixels of an arrow that is worth drawing
  * @typedef {object} Chart
  * @property {number} until  [T]
  * @property {[low: number, high: number]} axis
+ * @property {Marks | null} [marks]  where it is not over time
  */
 /** Where the chart lies in its canvas. */
 export class Paper {
@@ -29,13 +37,15 @@ export class Paper {
    * @param {number} height
    * @param {Chart} chart
    */
-  constructor(width, height, { axis, until }) {
+  constructor(width, height, { axis, marks = null, until }) {
     this.axis = axis;
+    this.marks = marks;
     this.until = until;
-    this.left = ROOM.left * zoom;
-    this.top = ROOM.top * zoom;
-    this.wide = Math.max(width - this.left - ROOM.right * zoom, 1);
-    this.tall = Math.max(height - this.top - ROOM.bottom * zoom, 1);
+    const room = marks ? ROOM_OF_SETTINGS : ROOM;
+    this.left = room.left * zoom;
+    this.top = room.top * zoom;
+    this.wide = Math.max(width - this.left - room.right * zoom, 1);
+    this.tall = Math.max(height - this.top - room.bottom * zoom, 1);
   }
   get bottom() {
     return this.top + this.tall;
@@ -86,6 +96,10 @@ export function say(c, words, x, y, color, align = 'left') {
  * @param {{ edge: string, faint: string, grid: string }} [colors]
  */
 export function axes(c, paper, colors = COLORS) {
+  if (paper.marks) {
+    axesOfSettings(c, paper, paper.marks, colors);
+    return;
+  }
   const { axis, bottom, left, tall, top, until, wide } = paper;
   c.font = letters(13);
   c.lineWidth = 1;
@@ -117,6 +131,55 @@ export function axes(c, paper, colors = COLORS) {
     say(c, localised(value.toFixed(down.digits)), left - 8, paper.y(value) + 4, colors.faint, 'right');
   const first = across.found[1] ?? until;
   say(c, text('lesson.time'), paper.x(0.5 * first), bottom + 17 * zoom, COLORS.ink, 'center');
+}
+
+/**
+ * @param {Context} c
+ * @param {Paper} paper
+ * @param {Marks} marks
+ * @param {{ edge: string, faint: string, grid: string }} colors
+ */
+function axesOfSettings(c, paper, { across, titles, upwards }, colors) {
+  const { bottom, left, tall, top, wide } = paper;
+  c.font = letters(13);
+  c.lineWidth = 1;
+  c.strokeStyle = colors.grid;
+  c.beginPath();
+  for (const { share } of across) {
+    c.moveTo(paper.x(share), top);
+    c.lineTo(paper.x(share), bottom);
+  }
+  for (const { share } of upwards) {
+    c.moveTo(left, paper.y(share));
+    c.lineTo(left + wide, paper.y(share));
+  }
+  c.stroke();
+  c.strokeStyle = colors.edge;
+  c.strokeRect(left, top, wide, tall);
+  for (const { share, words } of across) say(c, words, paper.x(share), bottom + 17 * zoom, colors.faint, 'center');
+  for (const { share, words } of upwards) say(c, words, left - 8, paper.y(share) + 4, colors.faint, 'right');
+  say(c, `${titles[0]} →`, left + wide, bottom + 36 * zoom, COLORS.ink, 'right');
+  say(c, `↑ ${titles[1]}`, 4, top - 12 * zoom, COLORS.ink);
+}
+
+/**
+ * Where something begins to be, over settings.
+ * @param {Context} c
+ * @param {Sheet} paper
+ * @param {Samples} curve
+ */
+export function border(c, paper, { x, y }) {
+  for (const [color, width] of /** @type {const} */ ([
+    [COLORS.panel, 5.5],
+    [COLORS.ink, 2.25],
+  ])) {
+    // prettier-ignore
+    c.strokeStyle = color;
+    c.lineWidth = width;
+    c.beginPath();
+    Array.from(x, (t, k) => c.lineTo(paper.x(t), paper.y(y[k])));
+    c.stroke();
+  }
 }
 
 /**
@@ -194,7 +257,7 @@ export function happens(c, paper, curve, line) {
 
 /**
  * @param {Context} c
- * @param {Paper} paper
+ * @param {Sheet} paper
  * @param {number[]} line
  * @param {boolean} done  gaps are joined then, as they are judged
  */
@@ -232,7 +295,7 @@ export function own(c, paper, line, done) {
 /**
  * A point that is given, or where the pen is.
  * @param {Context} c
- * @param {Paper} paper
+ * @param {Sheet} paper
  * @param {[t: number, value: number]} point
  */
 export function dot(c, paper, [t, value]) {
@@ -245,7 +308,7 @@ export function dot(c, paper, [t, value]) {
 /**
  * The pen, and what it would write there; above a finger, which hides what is below.
  * @param {Context} c
- * @param {Paper} paper
+ * @param {Sheet} paper
  * @param {[t: number, value: number]} point
  * @param {string} words
  * @param {boolean} finger
@@ -269,7 +332,7 @@ export function pen(c, paper, [t, value], words, finger) {
 /**
  * Where a sentence belongs in the line, and from there to where it is.
  * @param {Context} c
- * @param {Paper} paper
+ * @param {Sheet} paper
  * @param {Judgement} judgement
  * @param {boolean} lit
  */

@@ -53,6 +53,12 @@ export function joined(line) {
   return found;
 }
 
+/**
+ * A value between those of a boundary, at equal steps from 0 to 1.
+ * @param {number[]} truth
+ */
+export const curveOver = (truth) => ({ x: truth.map((_, k) => k / (truth.length - 1)), y: truth });
+
 /** A line, and what it is asked for. */
 class Line {
   /**
@@ -247,8 +253,26 @@ function ends(line, { at, slack, within }) {
   };
 }
 
+/**
+ * Nowhere farther from the truth than it may be.
+ * @param {Line} line
+ * @param {Criterion} asked
+ * @param {Truth} truth
+ * @returns {Judgement}
+ */
+function near(line, { at, within }, truth) {
+  const span = /** @type {[number, number]} */ (at);
+  const first = Math.max(binOf(span[0]), 0);
+  const off = line.between(...span).map((value, k) => value - truth((first + k) * BIN));
+  const worst = off.reduce((most, value, k) => (Math.abs(value) > Math.abs(off[most]) ? k : most), 0);
+  const t = (first + worst) * BIN;
+  const outcome = Math.abs(off[worst]) <= within + EXACTLY ? 'yes' : off[worst] > 0 ? 'high' : 'low';
+  return { outcome, yours: t, right: t, span, ring: [t, line.at(t)], to: [t, truth(t)] };
+}
+
 /** @type {Record<string, (line: Line, asked: Criterion, truth: Truth) => Judgement>} */
 const CRITERIA = {
+  near,
   falls: (line, asked, truth) => goes(line, asked, truth, -1),
   rises: (line, asked, truth) => goes(line, asked, truth, 1),
   jump: jumps,

@@ -285,7 +285,9 @@ export class Lesson {
     const { page, question } = this;
     const chart = question?.chart && !(question instanceof Sketch && question.laid) ? question.chart : null;
     this.rows = !chart && this.#shown.includes('rows');
-    const charts = chart || this.#closed ? [] : this.#shown.filter((name) => !PLAIN.includes(name));
+    const closed = Boolean(chart) || this.#closed;
+    const charts = this.#shown.filter((name) => (closed ? name === question?.over : !PLAIN.includes(name)));
+    this.below.question = question?.over ? question : null;
     this.below.show(charts, !this.coming, showingAt(this).map);
     const { root } = page;
     root.classList.toggle('sketching', Boolean(chart));
@@ -370,7 +372,7 @@ export class Lesson {
     const { at, play } = this.#after;
     if (play) this.play(play);
     else if ((at ?? null) !== null) this.stand(this.#clock(at));
-    else if (question instanceof Sketch) this.play([0, question.drawn.until]);
+    else if (question instanceof Sketch && question.rolls) this.play([0, question.drawn.until]);
     else if (this.#scene.play) this.play(this.#scene.play);
   }
   /** @param {Frame} frame  that is shown now */

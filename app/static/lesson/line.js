@@ -5,7 +5,8 @@ const MOST_UNDONE = 60; // strokes
 const STEP = { along: 0.1, up: 1 / 24 }; // of the pen: T, and of the axis
 const FINE = 5; // times finer with Shift
 const MOST_POINTS = 400; // that can be typed
-const POINT = /^(-?\d{1,6}(?:[.,]\d{0,6})?)[\s;:]{1,9}(-?\d{1,9}(?:[.,]\d{0,6})?)$/;
+const POWER = '(?:e\\+?-?\\d{1,2})?';
+const POINT = RegExp(`^(-?\\d{1,6}(?:[.,]\\d{0,6})?${POWER})[\\s;:]{1,9}(-?\\d{1,15}(?:[.,]\\d{0,6})?${POWER})$`, 'i');
 
 /**
  * Points as they are typed, a line each: time and value; the same time twice is a jump.
@@ -30,10 +31,12 @@ export class Drawn {
   lifted = false;
 
   /**
-   * @param {{ until: number, axis: [low: number, high: number], given: [t: number, value: number] | null }} chart
+   * @param {{ until: number, axis: [low: number, high: number], given: [t: number, value: number] | null,
+   *   zeroed?: boolean }} chart  `zeroed`: whether what is close to zero is zero
    * @param {(number | null)[] | null} [line]  as it was kept
    */
-  constructor({ axis, given, until }, line = null) {
+  constructor({ axis, given, until, zeroed = true }, line = null) {
+    this.zeroed = zeroed;
     this.axis = axis;
     this.until = until;
     this.given = given;
@@ -52,6 +55,10 @@ export class Drawn {
   /** How far it reaches [T]; -1: nothing is drawn. */
   get reach() {
     return this.line.findLastIndex((value) => !Number.isNaN(value)) * BIN;
+  }
+  /** From where on anything is drawn [T]. */
+  get from() {
+    return this.line.findIndex((value) => !Number.isNaN(value)) * BIN;
   }
   /** Whether anything but the given point is there. */
   get begun() {
@@ -88,7 +95,7 @@ export class Drawn {
   #snapped(value) {
     const [low, high] = this.axis;
     const within = Math.min(Math.max(value, low), high);
-    return Math.abs(within) < NOTHING * (high - low) ? 0 : within;
+    return this.zeroed && Math.abs(within) < NOTHING * (high - low) ? 0 : within;
   }
   /**
    * A straight piece of it, in place of what was there.
@@ -112,7 +119,7 @@ export class Drawn {
   /** The pen, at the end of what is drawn where it was nowhere. */
   take() {
     if (this.pen) return this.pen;
-    const t = Math.max(this.reach, 0);
+    const t = this.begun ? this.reach : 0;
     this.pen = [t, this.#value(t)];
     this.anchor = this.pen;
     return this.pen;

@@ -19,8 +19,8 @@ function guessOf(lesson) {
   const last = step.parts.some(({ kind }) => kind === 'summary');
   const parts = last ? record.steps.flatMap((each) => each.parts).filter(asks) : [];
   const questions = last ? parts.map((part) => questionOf(lesson, part)) : [question];
-  const sketch = questions.find((each) => each instanceof Sketch);
-  return sketch && (sketch.laid || (last && sketch.done)) ? sketch.series : null;
+  const sketch = questions.find((each) => each instanceof Sketch && each.rolls);
+  return sketch instanceof Sketch && (sketch.laid || (last && sketch.done)) ? sketch.series : null;
 }
 
 /**

@@ -7,13 +7,14 @@ import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 import * as drawing from './drawing.js';
-import { curveOf, timeOf } from './events.js';
+import { timeOf } from './events.js';
 import { valueWords } from './goal.js';
 import { elementsOf } from './nodes.js';
 import { quantityWords, unitWord } from './number.js';
 import { mixed } from './order.js';
 import { asks } from './questions.js';
-import { FACTORS } from './sketch.js';
+import { marksOf, nameOf } from './settings.js';
+import { soIn } from './sketch.js';
 
 /** @import { Events } from './events.js' */
 /** @import { Samples } from '../charts/scale.js' */
@@ -24,7 +25,8 @@ import { FACTORS } from './sketch.js';
 
 const CHART = { width: 704, height: 300 }; // pixels of an empty one
 const INKS = { edge: '#000000', faint: '#000000', grid: '#8b95a1' }; // to be read when printed
-const UNKNOWN = { start: '…', end: '…', peak: '…', yours: '…', true: '…' }; // on paper nothing was moved or drawn
+// on paper nothing was moved or drawn
+const UNKNOWN = { start: '…', end: '…', peak: '…', yours: '…', true: '…', at: '…', off: '…' };
 const WAIT = 20_000; // ms for the pictures of a step
 const FIGURE = '.figure-area';
 const AWAITED = `[aria-busy='true'], ${FIGURE}:empty`; // an analysis that has no answer yet, or no figure
@@ -56,15 +58,18 @@ function imageOf({ src, width }, className) {
  * @param {Happens} shown
  * @param {boolean} full
  */
-function chartOf({ axis, given, until }, { curve, events }, full) {
+function chartOf(part, { curve, events }, full) {
+  const { axis, given, until } = part;
+  const marks = marksOf(part);
   const { width, height } = CHART;
   const canvas = make('canvas', { width: FINE * width, height: FINE * height });
   const c = contextOf(canvas);
-  const chart = { axis, until: timeOf(until, events) || 1 };
+  const chart = { axis, marks, until: timeOf(until, events) || 1 };
   c.scale(FINE, FINE);
   const paper = new drawing.Paper(width, height, chart);
   drawing.axes(c, paper, INKS);
-  if (full && curve) drawing.truth(c, paper, curve, Infinity);
+  if (full && curve && marks) drawing.border(c, paper, curve);
+  else if (full && curve) drawing.truth(c, paper, curve, Infinity);
   else if (given) drawing.dot(c, paper, given);
   return imageOf({ src: canvas.toDataURL(), width }, 'print-chart');
 }
@@ -88,10 +93,7 @@ const ASKED = {
     ),
     make('p', { className: 'print-blank' }, LABELS[slider].unit ?? ''),
   ],
-  sketch: (part, _, shown) => [
-    line(text('lesson.axis', { track: text(`lesson.track.${part.track}`), unit: part.unit })),
-    chartOf(part, shown, false),
-  ],
+  sketch: (part, _, shown) => [line(nameOf(part)), chartOf(part, shown, false)],
 };
 
 /** @typedef {Pick<Shown, 'events' | 'curve'>} Happens  of a step */
@@ -221,7 +223,7 @@ export class Print {
     const part = parts.find(({ kind }) => kind === 'sketch');
     this.shown.set(k, {
       events: lesson.events,
-      curve: part ? curveOf(page.frame, FACTORS[part.unit] ?? 1) : null,
+      curve: part ? soIn(part, page.frame) : null,
       stage: taken(page.root.querySelectorAll('.stages')),
       below: taken([...rows, ...lesson.below.root.children]),
     });

@@ -6,6 +6,7 @@ import { elementsOf, wordsOf } from './nodes.js';
 import { NumberQuestion } from './number.js';
 import { Order } from './order.js';
 import { Goal } from './goal.js';
+import { Boundary, drawsOverMap } from './boundary.js';
 import { Sketch } from './sketch.js';
 
 /** @import { Frame } from '../messages.js' */
@@ -27,6 +28,7 @@ import { Sketch } from './sketch.js';
  * @property {boolean} done  whether it is answered
  * @property {boolean} [tried]  whether it was, in vain perhaps
  * @property {HTMLElement} [chart]  that stands in the place of the rows
+ * @property {string} [over]  a chart of the step that it is drawn on
  * @property {Record<string, number>} [choices]  of the page, that it is about
  * @property {Record<string, [low: number, high: number]>} [bounds]  between which these may be
  * @property {boolean} [predicts]  what happens is not to be seen before
@@ -133,5 +135,6 @@ export const asks = (part) => Object.hasOwn(KINDS, part.kind);
 /**
  * @param {Lesson} lesson
  * @param {Part} part
+ * @returns {Question}
  */
-export const questionOf = (lesson, part) => new KINDS[part.kind](lesson, part);
+export const questionOf = (lesson, part) => new (drawsOverMap(part) ? Boundary : KINDS[part.kind])(lesson, part);

@@ -1,14 +1,15 @@
 // A line over time is drawn before it is seen: by pointer, by keys, or as points. Then it is laid over what happens.
 import { cleared } from '../charts/canvas.js';
 import { make } from '../browser/dom.js';
-import { family, text } from '../text/catalogue.js';
+import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { mainButton, signOf } from './answered.js';
 import * as drawing from './drawing.js';
 import { curveOf, timeOf, valueOf } from './events.js';
-import { BIN, judged } from './judge.js';
+import { BIN, curveOver, judged } from './judge.js';
 import { Drawn, pointsOf } from './line.js';
 import { elementsOf, wordsOf } from './nodes.js';
+import { nameOf } from './settings.js';
 import { sketched, soOf } from './sketched.js';
 
 /** @import { Frame } from '../messages.js' */
@@ -17,8 +18,14 @@ import { sketched, soOf } from './sketched.js';
 /** @import { Part, Question } from './questions.js' */
 
 export const FACTORS = /** @type {Record<string, number>} */ ({ kN: 1e-3 }); // that a unit has of one of SI
-export const TRACKS = family('lesson.track');
-const SHORT = 0.1; // T at the end, that a line may leave out
+export const SHORT = 0.1; // T at the end, that a line may leave out
+
+/**
+ * What is so, in units of the chart.
+ * @param {Part} part
+ * @param {Frame} frame
+ */
+export const soIn = (part, frame) => (part.settings ? curveOver(part.truth) : curveOf(frame, FACTORS[part.unit] ?? 1));
 
 /** @implements {Question} */
 export class Sketch {
@@ -52,8 +59,8 @@ export class Sketch {
     this.measured = typeof part.until === 'number';
     this.drawn = this.#blank(this.measured ? part.until : line ? (line.length - 1) * BIN : 1);
     this.root = make('div', { className: 'lesson-sketch' });
-    this.name = text('lesson.axis', { track: TRACKS[part.track], unit: part.unit });
-    this.chart = this.#chart();
+    this.name = nameOf(part);
+    this.section = this.#chart();
     this.#render();
   }
   get done() {
@@ -63,10 +70,18 @@ export class Sketch {
   get laid() {
     return this.answer.done && this.answer.laid;
   }
+  /** @returns {HTMLElement | undefined} */
+  get chart() {
+    return this.section;
+  }
+  /** Whether what happens comes with the clock. */
+  get rolls() {
+    return true;
+  }
   /** @param {number} until  [T] */
   #blank(until) {
-    const { axis, given } = this.part;
-    return new Drawn({ axis, given, until }, this.answer.line);
+    const { axis, given, settings } = this.part;
+    return new Drawn({ axis, given, until, zeroed: !settings }, this.answer.line);
   }
   /** The scene is there, and with it the event until which one draws; from now on the chart stays as long. */
   #measure() {
@@ -92,16 +107,26 @@ export class Sketch {
     new ResizeObserver(() => this.draw()).observe(sheet);
     return make('section', { className: 'sketch', ariaLabel: name }, head, sheet, points);
   }
+  get pointsSuch() {
+    return '0 37\n1 37';
+  }
+  get pointsAbout() {
+    return text('lesson.points', { unit: this.part.unit });
+  }
+  /** @param {[t: number, value: number][]} points  as they are typed */
+  taken(points) {
+    return points;
+  }
   #typing() {
-    const area = make('textarea', { rows: 5, spellcheck: false, placeholder: '0 37\n1 37' });
-    const label = make('label', {}, text('lesson.points', { unit: this.part.unit }), area);
+    const area = make('textarea', { rows: 5, spellcheck: false, placeholder: this.pointsSuch });
+    const label = make('label', {}, this.pointsAbout, area);
     const wrong = make('p', { className: 'wrong', role: 'status', hidden: true });
     const act = () => {
       const bad = area.value.split('\n').filter((each) => each.trim() && !pointsOf(each).length);
       wrong.hidden = !bad.length;
       wrong.textContent = text('lesson.not-points', { lines: bad.slice(0, 3).join('; ').slice(0, 80) });
       if (bad.length) return;
-      const points = pointsOf(area.value);
+      const points = this.taken(pointsOf(area.value));
       this.drawn.type(points);
       this.#changed();
       this.lesson.speak(text('lesson.typed', { count: points.length }));
@@ -121,7 +146,7 @@ export class Sketch {
       const here = at(event);
       if (event.button !== 0 || !here) return;
       if (this.done) {
-        this.lesson.stand(here[0]);
+        this.stand(here[0]);
         return;
       }
       plot.setPointerCapture(event.pointerId);
@@ -147,6 +172,10 @@ export class Sketch {
     plot.onblur = () => this.draw();
     plot.onfocus = () => this.draw();
   }
+  /** @param {number} t */
+  stand(t) {
+    this.lesson.stand(t);
+  }
   /** @param {[t: number, value: number] | null} to */
   #stroke(to) {
     if (!to || !this.near) return;
@@ -166,10 +195,10 @@ export class Sketch {
     event.stopPropagation();
     const { lifted } = this.drawn;
     this.#changed();
-    this.lesson.speak(event.key === ' ' ? text('lesson.pen', { lifted }) : this.#words(this.drawn.take()));
+    this.lesson.speak(event.key === ' ' ? text('lesson.pen', { lifted }) : this.words(this.drawn.take()));
   }
   /** @param {[t: number, value: number]} point */
-  #words([t, value]) {
+  words([t, value]) {
     return text('lesson.point', { time: this.lesson.timeWords(t), value: figures(value, 3), unit: this.part.unit });
   }
   #undo() {
@@ -186,24 +215,29 @@ export class Sketch {
   #call() {
     const drawn = this.done ? 'done' : this.drawn.begun ? 'some' : 'no';
     this.plot.ariaLabel = text('lesson.chart', {
-      ...{ drawn, name: this.name, until: this.lesson.timeWords(this.drawn.until) },
+      ...{ drawn, name: this.name, until: this.untilWords },
     });
   }
-  get #whole() {
+  get untilWords() {
+    return this.lesson.timeWords(this.drawn.until);
+  }
+  /** What is still to be done. */
+  get drawOn() {
+    return text('lesson.draw-on', { begun: this.drawn.begun, until: this.untilWords });
+  }
+  get whole() {
     return this.drawn.reach >= this.drawn.until - SHORT;
   }
   #enable() {
     this.#call();
-    this.show_.disabled = !this.#whole;
-    this.hint.textContent =
-      this.#whole || !this.measured
-        ? ''
-        : text('lesson.draw-on', { begun: this.drawn.begun, until: this.lesson.timeWords(this.drawn.until) });
+    this.show_.disabled = !this.whole;
+    this.hint.textContent = this.whole || !this.measured ? '' : this.drawOn;
   }
   #render() {
     const { answer } = this;
     this.tools.hidden = answer.done;
     this.points.hidden = true;
+    this.plot.hidden = answer.done && !this.rolls; // what lies below it goes on
     this.sheet.classList.toggle('done', answer.done);
     if (!answer.done) {
       this.root.replaceChildren(this.show_, this.hint);
@@ -213,11 +247,16 @@ export class Sketch {
     this.#call();
     this.sentences = this.judgements.map((judgement, k) => this.#sentence(judgement, k));
     const list = make('ul', { className: 'lesson-judged', tabIndex: -1 }, ...this.sentences);
-    const lay = mainButton(text(answer.laid ? 'lesson.stand' : 'lesson.lay'), () => this.#lay());
-    lay.classList.toggle('plain', answer.laid);
     const late = make('p', { className: 'lesson-hint', textContent: text('lesson.late') });
-    this.root.replaceChildren(list, ...(answer.late ? [late] : []), lay);
+    this.root.replaceChildren(list, ...(answer.late ? [late] : []), ...(this.rolls ? [this.#layer()] : []));
     this.#reveal();
+  }
+  /** The button that lays the line beside the picture, and back. */
+  #layer() {
+    const { laid } = this.answer;
+    const lay = mainButton(text(laid ? 'lesson.stand' : 'lesson.lay'), () => this.#lay());
+    lay.classList.toggle('plain', laid);
+    return lay;
   }
   /**
    * @param {Judgement} judgement
@@ -229,27 +268,33 @@ export class Sketch {
       this.lit = lit;
       this.draw();
     };
-    const words = make('span', {}, ...elementsOf(this.part.judges[k].says[outcome] ?? [], this.#gaps(judgement)));
+    const words = make('span', {}, ...elementsOf(this.part.judges[k].says[outcome] ?? [], this.gaps(judgement)));
     const sign = signOf(outcome === 'yes');
     const button = make('button', { type: 'button' }, sign, words);
-    button.onclick = () => this.lesson.stand(Number.isFinite(yours) ? yours : span[0]);
+    button.onclick = () => this.stand(Number.isFinite(yours) ? yours : span[0]);
     button.onpointerenter = button.onfocus = () => light(k);
     button.onpointerleave = button.onblur = () => light(-1);
     return make('li', {}, button);
   }
   /** @param {Judgement} judgement */
-  #gaps({ right, yours }) {
+  gaps({ right, yours }) {
     return { yours: this.lesson.timeWords(yours), true: this.lesson.timeWords(right) };
   }
   #tell() {
-    if (!this.#whole) return;
+    if (!this.whole) return;
     const { answer, lesson } = this;
     this.drawn.pen = this.near = null;
     Object.assign(answer, { line: this.drawn.kept, done: true, late: lesson.looked });
     this.load(lesson.page.frame);
     answer.so = soOf(this.drawn.line.length, valueOf(this.curve));
-    answer.outcomes = this.judgements.map(({ outcome, right, yours }) => ({ outcome, right, yours }));
-    this.unrolling = !lesson.still;
+    answer.outcomes = this.judgements.map(({ outcome, right, ring, to, yours }) => ({
+      outcome,
+      right,
+      ring,
+      to,
+      yours,
+    }));
+    this.unrolling = this.rolls && !lesson.still;
     this.seen = this.unrolling ? 0 : Infinity;
     this.#render();
     lesson.answered(this.unrolling ? '' : this.#all());
@@ -257,7 +302,7 @@ export class Sketch {
   }
   #all() {
     return this.judgements
-      .map((each, k) => wordsOf(this.part.judges[k].says[each.outcome] ?? [], this.#gaps(each)))
+      .map((each, k) => wordsOf(this.part.judges[k].says[each.outcome] ?? [], this.gaps(each)))
       .join(' ');
   }
   #lay() {
@@ -273,8 +318,8 @@ export class Sketch {
     if (this.lesson.coming) return;
     if (!this.measured) this.#measure();
     if (!this.done) return; // nothing of what happens is here before
-    const { judges, unit } = this.part;
-    this.curve = curveOf(frame, FACTORS[unit] ?? 1);
+    const { judges } = this.part;
+    this.curve = soIn(this.part, frame);
     const { events } = this.lesson;
     const criteria = judges.map((/** @type {Part} */ each) => ({
       ...each,
@@ -311,7 +356,7 @@ export class Sketch {
   }
   draw() {
     const { drawn, lit, done } = this;
-    if (!this.chart.isConnected || !this.measured) return;
+    if (!this.section.isConnected || !this.measured) return;
     const sheet = cleared(this.canvas, this.sheet);
     if (!sheet) return;
     const { c, height, width } = sheet;
@@ -330,15 +375,19 @@ export class Sketch {
       this.judgements.forEach((each, k) => {
         if (Math.max(each.ring[0], each.to[0]) <= this.seen) drawing.mark(c, paper, each, k === lit);
       });
+    const { pen } = this;
+    if (pen && !done) drawing.pen(c, paper, pen, this.words(pen), this.finger && Boolean(this.near));
+  }
+  /** Where the pen is, by whatever moves it. */
+  get pen() {
     const root = /** @type {Document | ShadowRoot} */ (this.plot.getRootNode());
-    const keys = root.activeElement === this.plot && drawn.pen;
-    const pen = this.near ?? (keys || null);
-    if (pen && !done) drawing.pen(c, paper, pen, this.#words(pen), this.finger && Boolean(this.near));
+    const keys = root.activeElement === this.plot && this.drawn.pen;
+    return this.near ?? (keys || null);
   }
   said() {
     const lines = this.answer.outcomes.map((/** @type {Judgement} */ each, /** @type {number} */ k) => {
       const say = this.part.judges[k].says[each.outcome] ?? [];
-      return make('li', {}, signOf(each.outcome === 'yes'), make('span', {}, ...elementsOf(say, this.#gaps(each))));
+      return make('li', {}, signOf(each.outcome === 'yes'), make('span', {}, ...elementsOf(say, this.gaps(each))));
     });
     const { line, so } = this.answer;
     const picture = line ? [sketched(line, so, this.part.axis, this.name)] : [];

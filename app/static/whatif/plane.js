@@ -2,19 +2,19 @@
 // axes; above it, drawn anew with every movement, the bar of colours and the point of the scene.
 import { cleared, letters, scale, sizeOf } from '../charts/canvas.js';
 import { make } from '../browser/dom.js';
-import { text } from '../text/catalogue.js';
 import { Bar, tickOf } from './bar.js';
 import { colouring, paletteOf } from './colours.js';
 import { contoursOf, levelsOf, partsOf } from './contours.js';
-import { MANY } from './lattice.js';
 import { Letters } from './letters.js';
 import { COLOR, disc, mark, pill, stroke, word } from './ink.js';
 import { marksOf, writtenOn } from './places.js';
 import { Raster } from './raster.js';
+import { CONTACTS, hatch } from './regions.js';
 import { shownOf, written } from './results.js';
 
 /** @import { Axis } from './axes.js' */
 /** @import { Window } from './window.js' */
+/** @import { Regions } from './regions.js' */
 /** @import { Mapped } from './results.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {[low: number, high: number]} Domain  logarithms where the scale is */
@@ -42,22 +42,6 @@ const POINT = { halo: 15, dot: 9, reach: 20 }; // pixels
  * @property {[from: Spot, to: Spot] | null} way  between two of them
  */
 
-/**
- * @typedef {object} Regions
- * @property {string} about
- * @property {(count: number, wide: boolean) => string} named
- * @property {(count: number) => boolean} [weak]
- * @property {boolean} [listed]  in a list beside, not on a bar
- */
-/** @type {Regions} */
-const CONTACTS = {
-  about: text('whatif.about'),
-  named: (count, wide) => {
-    const many = count === MANY;
-    return wide ? text(many ? 'whatif.many-contacts' : 'whatif.contacts', { count }) : `${count}${many ? '+' : ''}`;
-  },
-};
-
 export class Plane {
   base = make('canvas');
   over = make('canvas', { tabIndex: 0, role: 'application' });
@@ -72,6 +56,8 @@ export class Plane {
   /** @type {Domain} */ domain = [0, 1];
   /** @type {Bar | null} */ bar = new Bar();
   letters = new Letters();
+  blank = false; // nothing but axes and point is seen, as it is asked for
+  /** @type {((c: Context, spot: (places: Spot) => Spot) => void) | null} */ guest = null; // draws above all else
 
   /** @param {Regions} [regions]  what parts of the map are called, and which are not to be trusted */
   constructor(regions = CONTACTS) {
@@ -104,6 +90,10 @@ export class Plane {
     if (!c) return;
     const { plot, raster } = this;
     this.domain = domain;
+    if (this.blank) {
+      this.#empty(c, view);
+      return;
+    }
     raster.draw(view, moving ? STEPS.moving : STEPS.still / this.fine, colouring(paletteOf(result), domain));
     c.save();
     c.beginPath();
@@ -112,9 +102,9 @@ export class Plane {
     const { sheet, step } = raster;
     c.drawImage(sheet, plot.x, plot.y, sheet.width * step, sheet.height * step);
     c.translate(plot.x, plot.y);
-    this.#hatch(c, (count) => count < 0, 1);
+    hatch(c, raster, plot, (count) => count < 0, 1);
     const { weak } = this.regions;
-    if (weak) this.#hatch(c, weak, -1);
+    if (weak) hatch(c, raster, plot, weak, -1);
     const { log, whole } = shownOf(result);
     const levels = whole ? [] : levelsOf(domain, Boolean(log));
     const goal = wanted === null || whole ? null : log ? Math.log10(wanted) : wanted;
@@ -139,40 +129,20 @@ export class Plane {
     this.#axes(c, view);
   }
   /**
-   * What is refused, or not to be trusted.
    * @param {Context} c
-   * @param {(count: number) => boolean} is
-   * @param {1 | -1} way  of its lines
+   * @param {Window} view
    */
-  #hatch(c, is, way) {
-    const { contacts, sheet, step } = this.raster;
-    const { h, w } = this.plot;
-    c.save();
+  #empty(c, view) {
+    const { h, w, x, y } = this.plot;
+    this.goal = [];
     c.beginPath();
-    let any = false;
-    for (let j = 0; j < sheet.height; j++) {
-      let from = -1;
-      for (let i = 0; i <= sheet.width; i++) {
-        const off = i < sheet.width && is(contacts[j * sheet.width + i]);
-        if (off && from < 0) from = i;
-        if (off || from < 0) continue;
-        c.rect(from * step, j * step, (i - from) * step, step);
-        any = true;
-        from = -1;
-      }
-    }
-    if (any) {
-      c.clip();
-      c.beginPath();
-      for (let x = -h; x < w; x += 9) {
-        c.moveTo(x, way > 0 ? h : 0);
-        c.lineTo(x + h, way > 0 ? 0 : h);
-      }
-      c.strokeStyle = COLOR.hatch;
-      c.lineWidth = 1.25;
-      c.stroke();
-    }
-    c.restore();
+    c.roundRect(x, y, w, h, ROUND);
+    c.fillStyle = COLOR.ring;
+    c.fill();
+    c.strokeStyle = COLOR.line;
+    c.lineWidth = 1;
+    c.stroke();
+    this.#axes(c, view);
   }
   /**
    * Lines where a contact is gained or lost; paler until they are found.
@@ -295,12 +265,13 @@ export class Plane {
     const c = cleared(this.over, this.root)?.c;
     if (!c) return;
     const { plot } = this;
-    if (!this.narrow) this.bar?.draw(c, plot, this.domain, shown);
+    if (!this.narrow && !this.blank) this.bar?.draw(c, plot, this.domain, shown);
     const spot = (/** @type {Spot} */ [p, q]) =>
       /** @type {Spot} */ ([plot.x + ((p - x0) / (x1 - x0)) * plot.w, plot.y + (1 - (q - y0) / (y1 - y0)) * plot.h]);
     this.letters.draw(c, plot, shown.kept, shown.way, spot);
     this.at = spot(shown.at);
     this.#point(c, shown, this.#holds(...this.at));
+    this.guest?.(c, spot);
   }
   /**
    * @param {number} px
@@ -332,6 +303,7 @@ export class Plane {
     c.lineWidth = 3;
     c.strokeStyle = COLOR.ring;
     c.stroke();
+    if (this.blank) return;
     const words = result === 'model' ? this.regions.named(value, true) : written(result, value);
     const size = narrow ? 22 : 28;
     c.font = letters(size, '650 ');
@@ -347,6 +319,7 @@ export class Plane {
    * @returns {'point' | 'letter' | 'goal' | 'bar' | 'map' | null}
    */
   under(px, py) {
+    if (this.blank) return null;
     if (Math.hypot(px - this.at[0], py - this.at[1]) < POINT.reach) return 'point';
     if (this.letters.under(px, py)) return 'letter';
     const { plot } = this;

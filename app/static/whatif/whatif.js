@@ -289,7 +289,7 @@ export class WhatIf {
       this.#scale();
     }
     this.filled = filled;
-    const painted = JSON.stringify([filled, this.domain, wanted, held, sizeOf(plane.root)]);
+    const painted = JSON.stringify([filled, this.domain, wanted, held, plane.blank, sizeOf(plane.root)]);
     if (!this.domain || painted === this.painted) return;
     plane.draw(view, result, this.domain, wanted, held);
     this.painted = painted;

@@ -7,6 +7,7 @@ import pytest
 from app.lessons.answers import STORED, Solved, stored
 from app.lessons.checking import check
 from app.lessons.formula import Quantity, formula
+from app.lessons.lesson import Boundary
 from app.lessons.own import read_own, try_own
 from app.lessons.shipped import FOLDER, shipped_lesson
 from app.lessons.storing import solved_answers
@@ -130,7 +131,12 @@ def test_stored_answers_are_those_that_are_solved_for(name):
     now = solved_answers(check(FOLDER / f"{name}.md").lesson)
     kept = json.loads(STORED.read_text("utf-8"))[name]
     assert now.keys() == kept.keys()
-    for question, (answer, mistakes) in now.items():
+    for question, own in now.items():
+        if isinstance(own, dict):
+            assert kept[question]["boundary"] == pytest.approx(own["boundary"], abs=1e-4)
+            assert stored()[name][question] == tuple(kept[question]["boundary"])
+            continue
+        answer, mistakes = own
         assert kept[question][0] == pytest.approx(answer, rel=1e-9)
         pairs = zip(kept[question][1], mistakes, strict=True)
         assert all(old == new or old == pytest.approx(new, rel=1e-9) for old, new in pairs)
@@ -141,3 +147,4 @@ def test_every_formula_of_a_shipped_lesson_has_its_answer():
     for path in FOLDER.glob("*.md"):
         parts = [part for step in shipped_lesson(path.name.split(".")[0]).steps for part in step.parts]
         assert all(part.answer is not None for part in parts if part.KIND == "number")
+        assert all(part.truth for part in parts if isinstance(part, Boundary))

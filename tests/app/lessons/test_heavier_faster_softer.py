@@ -1,7 +1,9 @@
 """Numbers and statements of the lesson on masses, speed and stiffness, computed."""
 
+import numpy as np
 import pytest
 
+from app.lessons.scales import value_at
 from app.lessons.shipped import shipped_lesson
 
 from .numbers import assert_numbers, same, solution_of
@@ -32,6 +34,9 @@ def test_numbers(language):
     spring, slow_spring = solution_of(STEPS[4]), solution_of(STEPS[4], speed=1.0)
     rod, light = solution_of(STEPS[5]), solution_of(STEPS[5], mass_ratio=1.0)
     shorter, stronger = faster.contact_time / first.contact_time, mean(faster) / mean(first)
+    stiff = solution_of(STEPS[6])
+    asked = STEPS[6].parts[2]
+    assert stiff.scene.speed == 1.0 and len(stiff.contacts) == 2
     assert heavier.scene.impactor.mass == pytest.approx(2.0 * first.scene.impactor.mass)
     assert faster.peak_force / first.peak_force == pytest.approx(stronger, rel=1e-4)
     assert (stronger, shorter) == pytest.approx((2.0**1.2, 2.0**-0.2), rel=1e-3)
@@ -44,9 +49,28 @@ def test_numbers(language):
         "4.3": KILO * softer.peak_force, "7.6": KILO * heavier.peak_force, "173": MICRO * heavier.contact_time,
         "2.9": GOAL, "4.96": KILO * slow_spring.peak_force, "142": MICRO * spring.contact_time, "1000": SIZE,
         "2.13": light.scene.impactor.mass, "36.7": KILO * rod.peak_force, "116": MICRO * rod.contact_time,
-        "1.84": light.impulse, "2.70": rod.impulse,
+        "1.84": light.impulse, "2.70": rod.impulse, "0.71": stiff.scene.impactor.mass, "1.02": border()[20] * 1e-11,
+        "10": asked.ranges[0][1], "3.2": 10.0**0.5,
     }  # fmt: skip
     assert_numbers(NAME, language, values)
+
+
+def border():
+    """Stiffness of the second contact, at equal ratios of the speed [N/m^1.5]."""
+    asked = STEPS[6].parts[2]
+    return np.array([value_at(share, asked.ranges[1], asked.logs[1]) for share in asked.truth])
+
+
+def test_a_second_contact_begins_where_stiffness_times_the_root_of_the_speed_is_the_same():
+    """Hertz's law scales so: its force is K d^1.5, and d goes with the speed where K sqrt(v) stays."""
+    asked = STEPS[6].parts[2]
+    speeds = np.geomspace(*asked.ranges[0], len(asked.truth))
+    assert border() * np.sqrt(speeds) == pytest.approx(border()[20], rel=2e-3)
+    for speed, stiffness in zip(speeds[::10], border()[::10], strict=True):
+        counts = [
+            len(solution_of(STEPS[6], speed=speed, hertz_stiffness=each * stiffness).contacts) for each in (0.99, 1.01)
+        ]
+        assert counts == [1, 2]
 
 
 def test_answers():

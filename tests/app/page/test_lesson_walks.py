@@ -7,7 +7,9 @@ import pytest
 from playwright.sync_api import expect
 
 from app.lessons.events import times_of
-from app.lessons.judging import exact_line
+from app.lessons.judging import exact_boundary, exact_line
+from app.lessons.lesson import Boundary
+from app.lessons.scales import value_at
 from app.lessons.shipped import lesson_names, shipped_lesson
 from app.lessons.solving import solved
 
@@ -39,7 +41,10 @@ def place_for(part) -> float:
 
 
 def right_line(step, part) -> list[tuple[float, float]]:
-    """The curve that is looked for, by a few points [T] and values of the chart."""
+    """The curve that is looked for, by a few points [T] and values of the chart; over a map in shares of it."""
+    if isinstance(part, Boundary):
+        values = exact_boundary(part)
+        return [(k / (values.size - 1), values[k]) for k in range(0, values.size, 4)]
     solution = solved(step).solution
     times = times_of(solution)
     until = part.until if isinstance(part.until, float) else times[part.until]
@@ -119,7 +124,11 @@ class Keys(Walk):
     def sketch(self, part, step) -> None:
         self.press(".sketch-tools button:last-child")
         self.reach(".sketch-points textarea")
-        self.page.tab.keyboard.type("\n".join(f"{t:.3f} {value:.4g}" for t, value in right_line(step, part)))
+        line = right_line(step, part)
+        if isinstance(part, Boundary):
+            over = list(zip(part.ranges, part.logs, strict=True))
+            line = [tuple(value_at(share, *way) for share, way in zip(point, over, strict=True)) for point in line]
+        self.page.tab.keyboard.type("\n".join(f"{t:.3f} {value:.4g}" for t, value in line))
         self.press(".sketch-points button")
         self.press(".lesson-asked .lesson-main")
 
