@@ -12,6 +12,7 @@ import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
 import { Lattice } from './lattice.js';
+import { MapWords } from './map_words.js';
 import { Window } from './window.js';
 import { MapJobs } from './map_jobs.js';
 import { Modes } from './modes.js';
@@ -89,6 +90,7 @@ export class WhatIf {
     this.foot = make('div', { className: 'whatif-foot' }, this.status, this.borders.root, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
     this.hands = new Hands(this);
+    this.spoken = new MapWords(this);
   }
   /**
    * Have it in place of the picture.
@@ -240,6 +242,8 @@ export class WhatIf {
     }
     this.beside(results);
     this.say();
+    this.spoken.follow();
+    this.along.behind.follow();
     points.feed();
   }
   /**

@@ -10,6 +10,7 @@ import { NAMES, PLACE, WIDTH, shownOf, valueOf } from './results.js';
 const FINEST = 12; // levels: steps of 2^-level
 const LEAST = 3; // so that the coarse points have a step that divides one
 const COARSE = 8; // steps of the first picture, in steps of the finest
+export const NEVER_SPARED = COARSE / 2; // steps between points that every whole map has
 const ROW = 2 ** 24;
 const STRAIGHT = 0.002; // of its scale, or of a decade: what a straight line may be off by
 const HALVINGS = 5; // of a step of the lattice, until a change of contacts is found to 1e-3 of an axis
@@ -160,7 +161,7 @@ export class Window {
           if (stride === COARSE) this.coarse = true;
           if (lattice.asked.has(key) || (!whole && stride < COARSE && lattice.spared.has(key))) continue;
           const torn = stride < COARSE && this.#torn(i, j, stride);
-          if (!whole && !torn && stride <= COARSE / 4 && this.#straight(i, j, stride)) {
+          if (!whole && !torn && stride < NEVER_SPARED && this.#straight(i, j, stride)) {
             lattice.spared.add(key);
             continue;
           }
