@@ -43,10 +43,8 @@ function mapOf(stride, axes = AXES, size = [600, 400]) {
 }
 
 test('a table has values, contacts and reasons at equal steps from below to above', () => {
-  const { caption, cells, columns, corner, groups, notes, rows, whole } = (() => {
-    const found = rowsOfMap(mapOf(4), 'peak_force');
-    return { ...found, cells: found.rows.map(({ cells }) => cells) };
-  })();
+  const { caption, columns, corner, groups, notes, rows, whole } = rowsOfMap(mapOf(4), 'peak_force');
+  const cells = rows.map((row) => row.cells);
   assert.ok(whole && caption.includes('Peak force') && corner === 'speed');
   assert.deepEqual(columns, ['0.03162', '0.1', '0.3162', '1', '3.162', '10', '31.62']);
   assert.deepEqual(groups, [['ratio', 7]]);
@@ -94,7 +92,8 @@ test('curves have all results over one choice', () => {
   });
   const { columns, rows, whole } = rowsOfCurves(curve, ['peak_force', 'newton']);
   assert.deepEqual([whole, columns, rows.length], [true, ['Contacts', 'Peak force', 'Restitution'], 21]);
-  assert.deepEqual(rows[0], { head: '0.01 m/s', cells: [['1 contact', ''], ['10 mN', ''], ['–', '']] }); // prettier-ignore
+  const first = [['1 contact', ''], ['10 mN', ''], ['–', '']]; // prettier-ignore
+  assert.deepEqual(rows[0], { head: '0.01 m/s', cells: first });
   assert.deepEqual([rows[15].cells[0][0], rows[20].cells[1][0]], ['2 contacts', '–']);
   curve.known[8] = 0;
   const less = rowsOfCurves(curve, ['peak_force']);

@@ -11,7 +11,8 @@ const colourOf = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16)
 /** As the dark scheme turns it over: invert(0.93) hue-rotate(180deg). */
 const dark = (colour) => {
   const turned = colour.map((part) => 0.93 - 0.86 * part);
-  return TURNED.map((row) => Math.min(Math.max(row.reduce((sum, m, k) => sum + m * turned[k], 0), 0), 1)); // prettier-ignore
+  const rows = TURNED.map((row) => row.reduce((sum, m, k) => sum + m * turned[k], 0));
+  return rows.map((part) => Math.min(Math.max(part, 0), 1));
 };
 const luminance = (colour) => {
   const [r, g, b] = colour.map((v) => (v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4));
