@@ -23,6 +23,7 @@ import { Ranges } from './ranges.js';
 import { NAMES, shownOf, valueOf } from './results.js';
 import { follow, saidOf } from './view_link.js';
 import { Sentence } from './sentence.js';
+import { ServerWork } from './server_work.js';
 import { figuresOfWhole } from '../wasm/columns.js';
 import { Tiles, domainOf } from './tiles.js';
 
@@ -87,7 +88,9 @@ export class WhatIf {
     this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root);
     this.head.append(this.designs.keep, this.along.root, this.back);
     this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root, this.designs.root);
-    this.foot = make('div', { className: 'whatif-foot' }, this.status, this.borders.root, this.words);
+    this.work = new ServerWork(this);
+    const now = make('div', { className: 'whatif-now' }, this.status, this.work.root);
+    this.foot = make('div', { className: 'whatif-foot' }, now, this.borders.root, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
     this.hands = new Hands(this);
     this.spoken = new MapWords(this);
@@ -229,6 +232,7 @@ export class WhatIf {
       this.view = null;
       this.jobs.plan(null);
       write(this.status, text(x && y ? 'whatif.not-here' : 'whatif.no-axes'));
+      this.work.follow();
       return;
     }
     const results = this.#results();
@@ -242,6 +246,7 @@ export class WhatIf {
     }
     this.beside(results);
     this.say();
+    this.work.follow();
     this.spoken.follow();
     this.along.behind.follow();
     points.feed();
@@ -369,7 +374,7 @@ export class WhatIf {
     const { points } = this;
     const count = grouped(points.solved);
     const where = points.source === points.own ? 'browser' : 'server';
-    const said = text('whatif.status', { count, where, busy: String(!this.jobs.idle) });
+    const said = text('whatif.status', { count, where, busy: String(!this.jobs.idle && !points.stopped) });
     write(this.status, [said, ...points.by].join(' · '));
   }
   /**

@@ -127,6 +127,21 @@ export class Window {
     for (let j = 0, k = 0; j < ny; j++)
       for (let i = 0; i < nx; i++, k++) this.index[k] = lattice.points.get(this.key(i, j)) ?? MISSING;
   }
+  /** How many points are known, and of those of the first picture how many there are. */
+  get counts() {
+    const { index, nx, ny } = this;
+    const first = { found: 0, all: 0 };
+    let known = 0;
+    for (let j = 0, k = 0; j < ny; j++)
+      for (let i = 0; i < nx; i++, k++) {
+        const there = index[k] === MISSING ? 0 : 1;
+        known += there;
+        if (i % COARSE || j % COARSE || !this.#inside(i, j, COARSE)) continue;
+        first.found += there;
+        first.all += 1;
+      }
+    return { first, known };
+  }
   /**
    * Whether a point can be: within the ends of both axes, and of a window with this many steps about it.
    * @param {number} i
