@@ -135,6 +135,29 @@ test('what the browser leaves to the server is stopped, too', () => {
   points.leave();
 });
 
+test('what the browser could not do of a line waits while it is stopped, but not for another scene', () => {
+  const { asked, jobs, lattice, points } = mapOf();
+  Object.assign(points, { source: points.own, sources: [points.own, points.served] });
+  Object.assign(points.own, { feed: () => {}, covers: () => true, scene: () => {} });
+  points.own.next().done(Float64Array.from(ROW), 1); // the scene itself
+  const edge = { low: 0, high: 1, from: 1, steps: 0 };
+  Object.assign(jobs, { wanted: [], halves: [{ name: 'one', edge, at: 0.5, row: [1, 2] }] });
+  lattice.edges.set('one', edge);
+  const failed = Float64Array.from([1, ...ROW.slice(1)]);
+  points.own.next().done(failed, 1);
+  assert.deepEqual([asked.at(-1).rows, points.left, lattice.halving.size], [[[1, 2]], 1, 1]);
+  points.stop(true);
+  points.feed();
+  assert.deepEqual([asked.at(-1), points.left, lattice.halving.size, edge.steps], ['', 1, 1, 0]);
+  points.stop(false);
+  assert.deepEqual(asked.at(-1).rows, [[1, 2]]);
+  points.stop(true);
+  points.page.changes.latest = { chosen: { ...CHOSEN, scene: 'piston' } };
+  assert.ok(points.about({ ...CHOSEN, scene: 'piston' }, ['mass_ratio', 'speed']));
+  assert.deepEqual([points.queue.length, lattice.halving.size], [0, 0], 'nobody waits for it any more');
+  points.leave();
+});
+
 test('curves and tolerances say how much of them is found', () => {
   const curves = new CurveJobs(() => {});
   assert.equal(curves.progress, null);

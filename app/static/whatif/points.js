@@ -44,6 +44,7 @@ export class Points {
   /** @type {Job[]} */ queue = []; // that the server is asked while the browser finds the others
   ready = false;
   stopped = false; // by hand: the server finds nothing more of what is drawn
+  stopping = false; // just now
   handed = 0; // impacts that the server has found while the browser finds the others
 
   /**
@@ -101,7 +102,7 @@ export class Points {
       ...job,
       rows: Float64Array.from(left.flatMap((k) => [...rows.subarray(k * names.length, (k + 1) * names.length)])),
       done: (more, spent, why) => {
-        if (!more && this.stopped && job.drawn) return void this.queue.unshift(forwarded); // until it goes on
+        if (this.stopping) return void this.queue.unshift(forwarded); // until it goes on
         this.handed += more ? left.length : 0;
         if (more) left.forEach((k, n) => found.set(more.subarray(n * WIDTH, (n + 1) * WIDTH), k * WIDTH));
         job.done(found, spent, why && new Map([...why].map(([n, each]) => [left[n], each])));
@@ -135,7 +136,9 @@ export class Points {
   /** @param {boolean} stopped  The server finds nothing more of what is drawn, nor what it is at; or goes on. */
   stop(stopped) {
     this.stopped = stopped;
+    this.stopping = true;
     if (stopped && this.served.job?.drawn) this.served.leave();
+    this.stopping = false;
     this.feed();
   }
   /** Nobody is asked for what waits. */
