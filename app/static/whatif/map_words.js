@@ -119,8 +119,8 @@ export class MapWords {
     this.due = window.setTimeout(() => this.#rest(), REST);
   }
   #rest() {
-    const { held, open, plane, view } = this.whatif;
-    if (!open || held || !view) return;
+    const { held, open, plane, view, x, y } = this.whatif;
+    if (!open || held || !view || !x || !y) return; // of another scene there may be none yet
     write(this.said, this.full);
     const { scene } = this;
     if (scene !== this.at && this.at && plane.over.matches(':focus')) write(this.moved, scene);
