@@ -9,7 +9,7 @@ import { make } from '../browser/dom.js';
 /** @typedef {{ canvas: HTMLCanvasElement, box: DOMRect }} Layer */
 
 const PARTS = '.ask, .caption, .stages, .section, .strip, .happens, .lens';
-const SILENT = '.unseen, .tools, .stepper > button, [role="tooltip"]';
+const SILENT = '.unseen, .tools, .stepper > button, .whatif-work > button, [role="tooltip"]';
 const EDGE = 16; // pixels around
 const LINE = 20; // below, where it says whose it is
 

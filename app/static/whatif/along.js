@@ -7,6 +7,7 @@ import { Menu } from '../browser/menu.js';
 import { carried } from '../browser/home.js';
 import { text } from '../text/catalogue.js';
 import { fileOf } from '../wire/own.js';
+import { Behind } from './behind.js';
 import { apart, commandOf, figureOf, planOf, pythonOf, variedOf, withinOf } from './code_lines.js';
 import { TOLERANCE } from './map_jobs.js';
 import { longOf, valueAt } from './places.js';
@@ -45,6 +46,8 @@ export class Along {
     menu.button.ariaLabel = menu.button.textContent; // on a phone it is a sign
     menu.item(text('take.png'), () => this.#picture(({ savePng }, ...what) => savePng(whatif.page, ...what), FINE));
     menu.item(text('take.svg'), () => this.#picture(({ saveSvg }, ...what) => saveSvg(whatif.page, ...what), 1));
+    this.behind = new Behind(whatif, () => menu.button.focus());
+    menu.item(text('whatif.as-table'), () => this.behind.open());
     menu.item(text('whatif.table'), () => this.#table());
     if (!carried) menu.item(text('whatif.code'), () => this.#code()); // the server says the scene file
     menu.item(text('whatif.link'), () => copyLink(whatif.page));
@@ -64,7 +67,7 @@ export class Along {
     this.dialog.onclick = (event) => {
       if (event.target === this.dialog) this.dialog.close(); // beside it
     };
-    this.root.append(this.dialog);
+    this.root.append(this.dialog, this.behind.dialog);
   }
   /** The address says what is seen. */
   follow() {

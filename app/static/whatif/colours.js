@@ -7,11 +7,11 @@ import { shownOf } from './results.js';
 /** @import { Mapped } from './results.js' */
 
 const STEPS = 512;
-const RAMPS = {
+export const RAMPS = {
   heat: ['#f6f8f9', '#fdece1', '#fbd3bd', '#f7b592', '#f08d5e', '#e26636', '#c8421f', '#9e271b', '#6d0f17'],
   cold: ['#f5f8fa', '#ddebf6', '#b9d8ee', '#86b9e0', '#4f93cc', '#2a6db1', '#124a8c', '#0a2f66'],
   steel: ['#f6f8f9', '#dfe6ec', '#bcc8d2', '#93a3b1', '#687b8b', '#3f5160', '#15202b'],
-  steps: ['#e9eef2', '#f7b592', '#d24a24', '#9e271b', '#6d0f17'],
+  steps: ['#eef2f5', '#f8b898', '#e4784a', '#b03a20', '#3d040a'], // neighbours differ in lightness alone, too
   models: [
     ...['#f3f6f8', '#dfeaf3', '#c6daea', '#abc8e0'], // nothing rings
     ...['#fde3d3', '#f9c4a6', '#f4a277', '#ea7d4b', '#d65a2c', '#b73c1c', '#8c2317'], // by ever more modes

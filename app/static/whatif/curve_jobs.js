@@ -4,6 +4,7 @@ import { longOf, valueAt } from './places.js';
 import { PLACE, WIDTH, valueOf } from './results.js';
 
 /** @import { Axis } from './axes.js' */
+/** @import { Progress } from './map_jobs.js' */
 /** @import { Job } from './points.js' */
 /** @import { Result } from './results.js' */
 
@@ -170,6 +171,14 @@ export class CurveJobs {
   }
   get idle() {
     return !this.wish && (!this.run || this.run.whole);
+  }
+  /** @returns {Progress | null}  of the curve that is being found */
+  get progress() {
+    const { run, shown } = this;
+    if (!run) return null;
+    const changes = run.changes?.filter((each) => !run.narrow(each)).length ?? 0;
+    const found = run.known.reduce((sum, known) => sum + known, 0);
+    return { found, all: run.places.length, changes, coarse: run !== shown };
   }
   /**
    * @param {number} many  impacts at most

@@ -19,7 +19,7 @@ import { plain, shownOf, titleOf, unitFor, written } from './results.js';
 
 const NARROW = 560; // pixels of the whole
 const NAMES = 208; // pixels of those of the rows
-const BANDS = ['#eef2f5', '#fbd3bd', '#f7b592', '#f08d5e']; // of one contact, of two, …
+export const BANDS = ['#f6f8f9', '#f9d8c5', '#f4bf9f', '#efaa86']; // of one contact, of two, …; a number stands in each
 const CHOSEN = '#c8421f';
 const LEAP = 0.012; // of a row: what leaps by less is drawn on
 const PAD = 0.04; // of a row, above and below its curve

@@ -12,7 +12,7 @@ import { binsOf, quantilesOf, shareAbove } from './spread.js';
 
 const BINS = { wide: 64, narrow: 40 };
 const PAD = 0.06; // of the range, on either side
-const TONES = ['#8ba0b2', '#e26636', '#9e271b', '#d3a37f']; // of one contact, of two, …
+export const TONES = ['#a9b8c5', '#e0703f', '#a62c1c', '#3d040a']; // of one contact, of two, …
 const BAND = '#eef2f5';
 const TICK = 90; // pixels from one value to the next, at least
 

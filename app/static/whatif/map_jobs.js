@@ -8,11 +8,30 @@ import { failedOf } from './points.js';
 /** @import { Window, Point } from './window.js' */
 /** @import { Job } from './points.js' */
 /** @import { WhatIf } from './whatif.js' */
+/**
+ * How many impacts of what is drawn are found, and how many changes of contacts are still sought.
+ * @typedef {{ found: number, all: number, changes: number, coarse: boolean }} Progress
+ */
 
 const SPENT = { own: { held: 5, free: 9 }, served: { held: 200, free: 400 } }; // ms that a job takes
 export const TOLERANCE = 1e-5; // of a step through a contact law: colours need no more, and it is four times as quick
 const [FEW, MANY] = [4, 256]; // impacts in a job
 const LEFT = 16; // impacts in a job of those that the browser could not find
+
+/**
+ * @param {Window} view
+ * @param {Point[][]} wanted  by level
+ * @param {ReturnType<Window['halves']> | null} halves
+ * @returns {Progress}
+ */
+export function progressOf(view, wanted, halves) {
+  const { first, known } = view.counts;
+  const { asked, halving } = view.lattice;
+  const missing = wanted.reduce((sum, level) => sum + level.length, asked.size);
+  const changes = (halves?.length ?? 0) + halving.size;
+  if (view.coarse) return { ...first, changes: 0, coarse: true };
+  return { found: known, all: known + missing, changes, coarse: false };
+}
 
 export class MapJobs {
   /** @type {Window | null} */ view = null;
@@ -30,6 +49,10 @@ export class MapJobs {
     const others = (this.whatif.modes.shown?.jobs ?? this.whatif.borders.across).idle;
     const found = !this.view || (this.halves?.length === 0 && !this.view.lattice.left.size);
     return others && found && !this.under && !this.wanted.length;
+  }
+  /** @returns {Progress | null}  of the map that is drawn */
+  get progress() {
+    return this.view && progressOf(this.view, this.wanted, this.halves);
   }
   /**
    * @param {Window | null} view
@@ -54,17 +77,21 @@ export class MapJobs {
     const { borders, designs, gains, goal, modes } = this.whatif;
     if (!view && !modes.shown) return null;
     const wish = this.#own() ?? designs.next() ?? goal.pulling.next() ?? goal.seek.next();
-    const first = wish ?? borders.near.next(this.many);
-    if (first) return first;
-    if (!view) return modes.next(this.many) ?? gains.next();
-    const gain = this.coarse ? null : gains.next();
-    if (gain) return gain;
+    if (wish) return wish;
+    const { points } = this.whatif;
+    if (points.stopped && points.source === points.served) return gains.next();
+    const slow = modes.shown === modes.models; // all else comes first
+    const near = borders.near.next(this.many) ?? (view || slow ? null : modes.next(this.many));
+    if (near) return { ...near, drawn: true };
+    const gain = view && this.coarse ? null : gains.next();
+    if (gain || !view) return gain ?? (slow ? modes.next(this.many) : null);
     while (this.wanted.length && !this.wanted[0].length) this.wanted.shift();
     if (!this.wanted.length && !this.halves) {
       this.wanted = [view.mend()].filter(({ length }) => length);
       this.halves = view.halves();
     }
-    return this.wanted.length ? this.#points(view) : (this.#edges(view) ?? borders.across.next(this.many));
+    const job = this.wanted.length ? this.#points(view) : (this.#edges(view) ?? borders.across.next(this.many));
+    return job && { ...job, drawn: true };
   }
   /**
    * The scene itself, where the page's answer does not say all that is shown.
@@ -128,13 +155,15 @@ export class MapJobs {
     const some = [...lattice.left].sort((a, b) => off(a[1]) - off(b[1])).slice(0, LEFT);
     for (const [key] of some) lattice.left.delete(key);
     const rows = Float64Array.from(some.flatMap(([, row]) => row));
-    return this.#job(rows, TOLERANCE, (found, why) => {
+    const job = this.#job(rows, TOLERANCE, (found, why) => {
+      points.handed += found ? some.length : 0;
       some.forEach(([key, row], k) => {
         if (!found) lattice.left.set(key, row);
         else lattice.keep(key, found, k);
         if (found?.[k * WIDTH]) lattice.why.set(key, why?.get(k) ?? text('whatif.refused'));
       });
     });
+    return { ...job, drawn: true };
   }
   /**
    * @param {Window} view

@@ -1,6 +1,7 @@
 // Which model is enough, point by point, as the server finds it: coarse points first, then where it changes.
 import { text } from '../text/catalogue.js';
 import { Lattice, halve } from './lattice.js';
+import { progressOf } from './map_jobs.js';
 import { failedOf } from './points.js';
 import { WIDTH } from './results.js';
 
@@ -88,6 +89,9 @@ export class ModelJobs {
     this.wanted = [];
     this.own = { key: '', places: null };
   }
+  get progress() {
+    return this.view && progressOf(this.view, this.wanted, this.halves);
+  }
   get rough() {
     return !this.view || this.view.coarse;
   }
@@ -115,9 +119,10 @@ export class ModelJobs {
     const key = JSON.stringify([asked.chosen, asked.figure]);
     if (key === this.own.key) return null;
     this.own = { key, places: null };
-    return this.#job(asked, Float64Array.from(asked.values), (found) => {
+    const job = this.#job(asked, Float64Array.from(asked.values), (found) => {
       if (this.own.key === key && found && !found[0]) this.own.places = placesOf(found);
     });
+    return { ...job, drawn: false };
   }
   /**
    * @param {Asked} asked
@@ -163,6 +168,7 @@ export class ModelJobs {
     return {
       ...{ chosen, names, rows },
       models: { figure, bounds: BOUNDS },
+      drawn: true,
       named: (models, shown) => Object.assign(this, { models, shown }),
       done: (found, _, why) => {
         this.under -= 1;

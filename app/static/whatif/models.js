@@ -2,7 +2,9 @@
 // hatched where that is not enough.
 import { make, write } from '../browser/dom.js';
 import { grouped } from '../text/format.js';
-import { percent } from './sentence.js';
+import { rowsOf } from './behind_rows.js';
+import { WIDTH, titleOf } from './results.js';
+import { nameOf, percent } from './sentence.js';
 import { family, text } from '../text/catalogue.js';
 import { colourOfModel } from './colours.js';
 import { Hands } from './hands.js';
@@ -23,7 +25,7 @@ export class Models {
   bound = BOUNDS[2];
   /** @type {Map<string, ModelLattice>} */ lattices = new Map();
   list = make('ul', { className: 'whatif-models-list' });
-  notes = make('p', { className: 'whatif-notes', id: 'whatif-models-notes' });
+  said = make('p', { className: 'whatif-notes', id: 'whatif-models-notes' });
   pointed = '';
 
   /** @param {WhatIf} whatif */
@@ -36,8 +38,8 @@ export class Models {
       weak: (count) => count > this.jobs.shown,
       listed: true,
     });
-    this.root = make('div', { className: 'whatif-models' }, this.plane.root, this.list, this.notes);
-    this.plane.over.setAttribute('aria-describedby', this.notes.id);
+    this.root = make('div', { className: 'whatif-models' }, this.plane.root, this.list, this.said);
+    this.plane.over.setAttribute('aria-describedby', this.said.id);
     this.hands = new Hands(whatif, this);
   }
   forget() {
@@ -129,11 +131,19 @@ export class Models {
     const weak = here > this.jobs.shown ? text('whatif.not-enough', { bound: percent(this.bound) }) : '';
     const refused = jobs.models.length ? '' : this.#refused();
     write(
-      this.notes,
+      this.said,
       [this.pointed, places ? `${text('whatif.here')} ${enough.join(' · ')}.` : '', weak, refused]
         .filter(Boolean)
         .join(' '),
     );
+  }
+  /** What is seen as a table. */
+  get rows() {
+    const { bound, view, whatif } = this;
+    const { result, x, y } = whatif;
+    const said = { of: titleOf(result), within: percent(bound), x: nameOf(x), y: nameOf(y) };
+    const caption = text('whatif.sentence-models', said);
+    return view && rowsOf(view, caption, (at) => [this.name(view.lattice.contacts(at / WIDTH)), '']);
   }
   /** How many points there are. */
   get status() {

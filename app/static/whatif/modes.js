@@ -88,7 +88,7 @@ export class Modes {
    */
   next(many) {
     const { points } = this.whatif;
-    if (this.shown === this.models && points.source === points.own) return null; // the server is asked
+    if (this.shown === this.models) return points.source === points.own ? null : this.rest(); // the server is asked
     return this.shown?.jobs.next(many) ?? null;
   }
   /** What the server is to find beside what the browser does. */

@@ -15,6 +15,7 @@ import { Served } from './server.js';
  * @property {Float64Array} rows  their values, impact by impact
  * @property {number} [tolerance]  of a step through a contact law; 0: that of the page's own answers
  * @property {boolean} [wished]  whether somebody waits for it
+ * @property {boolean} [drawn]  whether it is part of the view that is drawn, which may be stopped
  * @property {boolean} [apart]  whether it is done without what the browser has no room for
  * @property {{ figure: string, bounds: number[] }} [models]  the smallest that are enough are wanted in its place
  * @property {(models: import('../text/words.js').Called[], shown: number) => void} [named]  from the smallest up
@@ -44,6 +45,9 @@ export class Points {
   /** @type {Job[]} */ files = []; // that the server is asked for
   /** @type {Job[]} */ queue = []; // that the server is asked while the browser finds the others
   ready = false;
+  stopped = false; // by hand: the server finds nothing more of what is drawn
+  stopping = false; // just now
+  handed = 0; // impacts that the server has found while the browser finds the others
 
   /**
    * @param {Page} page
@@ -53,8 +57,9 @@ export class Points {
   constructor(page, next, rest) {
     this.page = page;
     /** @type {Source} */ this.own = new Pool(() => (this.source === this.own ? this.#counted(next()) : null));
-    const others = () => (this.source === this.served ? this.#counted(next()) : (this.queue.shift() ?? rest()));
-    /** @type {Source} */ this.served = new Served(page, () => this.files.shift() ?? others());
+    /** @returns {Job | null} */
+    const others = () => (this.source === this.served ? this.#counted(next()) : this.#waiting(rest));
+    /** @type {Served} */ this.served = new Served(page, () => this.files.shift() ?? others());
     /** @type {Source[]} */ this.sources = [];
   }
   async prepare() {
@@ -99,6 +104,8 @@ export class Points {
       ...job,
       rows: Float64Array.from(left.flatMap((k) => [...rows.subarray(k * names.length, (k + 1) * names.length)])),
       done: (more, spent, why) => {
+        if (this.stopping) return void this.queue.unshift(forwarded); // until it goes on
+        this.handed += more ? left.length : 0;
         if (more) left.forEach((k, n) => found.set(more.subarray(n * WIDTH, (n + 1) * WIDTH), k * WIDTH));
         job.done(found, spent, why && new Map([...why].map(([n, each]) => [left[n], each])));
         this.feed(); // it may have been waited for
@@ -113,10 +120,34 @@ export class Points {
   get serves() {
     return this.source === this.own && this.sources.includes(this.served);
   }
+  /**
+   * What the server is asked next while the browser finds the others.
+   * @param {() => Job | null} rest
+   */
+  #waiting(rest) {
+    const first = this.queue.findIndex(({ drawn }) => !(drawn && this.stopped));
+    const [job = null] = first < 0 ? [] : this.queue.splice(first, 1);
+    return job ?? (this.stopped ? null : rest());
+  }
+  /** Impacts of what is drawn that wait for the server, beside those that it is at. */
+  get left() {
+    const all = this.served.job ? [...this.queue, this.served.job] : this.queue;
+    const count = (/** @type {Job} */ { drawn, names, rows }) => (drawn ? rows.length / names.length : 0);
+    return all.reduce((sum, job) => sum + count(job), 0) - (this.served.job?.drawn ? this.served.count : 0);
+  }
+  /** @param {boolean} stopped  The server finds nothing more of what is drawn, nor what it is at; or goes on. */
+  stop(stopped) {
+    this.stopped = stopped;
+    this.stopping = true;
+    if (stopped && this.served.job?.drawn) this.served.leave();
+    this.stopping = false;
+    this.feed();
+  }
   /** Nobody is asked for what waits. */
   #drop() {
     const { queue } = this;
     this.queue = [];
+    this.handed = 0;
     for (const { done } of queue) done(null, 0);
   }
   /** Whether an impact is found in a moment. */
@@ -197,6 +228,7 @@ export class Points {
   leave() {
     for (const each of this.sources) each.leave();
     this.source = this.base = null;
+    this.stopped = false;
     for (const { done } of this.files.splice(0)) done(null, 0);
     this.#drop();
     this.sources = [];

@@ -4,6 +4,7 @@ import { MOST_INPUTS, haltonAt } from './spread.js';
 import { PLACE, WIDTH, valueOf } from './results.js';
 
 /** @import { Axis } from './axes.js' */
+/** @import { Progress } from './map_jobs.js' */
 /** @import { Job } from './points.js' */
 /** @import { Result } from './results.js' */
 
@@ -114,6 +115,11 @@ export class ToleranceJobs {
   }
   get idle() {
     return !this.wish && (!this.run || this.run.whole);
+  }
+  /** @returns {Progress | null}  of the impacts that are being found */
+  get progress() {
+    const { run, shown } = this;
+    return run && { found: run.count, all: run.asked.total, changes: 0, coarse: run !== shown };
   }
   /**
    * @param {number} many  impacts at most

@@ -12,6 +12,7 @@ import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
 import { Lattice } from './lattice.js';
+import { MapWords } from './map_words.js';
 import { Window } from './window.js';
 import { MapJobs } from './map_jobs.js';
 import { BOUNDS } from './model_jobs.js';
@@ -23,6 +24,7 @@ import { Ranges } from './ranges.js';
 import { NAMES, shownOf, valueOf } from './results.js';
 import { follow, saidOf } from './view_link.js';
 import { Sentence } from './sentence.js';
+import { ServerWork } from './server_work.js';
 import { figuresOfWhole } from '../wasm/columns.js';
 import { Tiles, domainOf } from './tiles.js';
 
@@ -87,9 +89,12 @@ export class WhatIf {
     this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root);
     this.head.append(this.designs.keep, this.along.root, this.back);
     this.side = make('div', { className: 'whatif-side' }, this.tiles.root, this.goal.root, this.designs.root);
-    this.foot = make('div', { className: 'whatif-foot' }, this.status, this.borders.root, this.words);
+    this.work = new ServerWork(this);
+    const now = make('div', { className: 'whatif-now' }, this.status, this.work.root);
+    this.foot = make('div', { className: 'whatif-foot' }, now, this.borders.root, this.words);
     this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
     this.hands = new Hands(this, this);
+    this.spoken = new MapWords(this);
   }
   /**
    * Have it in place of the picture.
@@ -229,6 +234,7 @@ export class WhatIf {
       this.view = null;
       this.jobs.plan(null);
       write(this.status, text(x && y ? 'whatif.not-here' : 'whatif.no-axes'));
+      this.work.follow();
       return;
     }
     const results = this.#results();
@@ -242,6 +248,9 @@ export class WhatIf {
     }
     this.beside(results);
     this.say();
+    this.work.follow();
+    this.spoken.follow();
+    this.along.behind.follow();
     points.feed();
   }
   /**
@@ -372,11 +381,9 @@ export class WhatIf {
     const { points } = this;
     const count = grouped(points.solved);
     const where = points.source === points.own ? 'browser' : 'server';
-    const said = text('whatif.status', { count, where, busy: String(!this.jobs.idle) });
-    write(
-      this.status,
-      this.modes.shown === this.modes.models ? this.modes.models.status : [said, ...points.by].join(' · '),
-    );
+    const busy = String(!this.jobs.idle && !points.stopped);
+    const said = [text('whatif.status', { count, where, busy }), ...points.by].join(' · ');
+    write(this.status, this.modes.shown === this.modes.models ? this.modes.models.status : said);
   }
   /**
    * Set choices by hand.

@@ -10,6 +10,7 @@ import { PLACE, WIDTH, shownOf } from './results.js';
 const FINEST = 12; // levels: steps of 2^-level
 const LEAST = 3; // so that the coarse points have a step that divides one
 const COARSE = 8; // steps of the first picture, in steps of the finest
+export const NEVER_SPARED = COARSE / 2; // steps between points that every whole map has
 const ROW = 2 ** 24;
 const STRAIGHT = 0.002; // of its scale, or of a decade: what a straight line may be off by
 
@@ -125,6 +126,21 @@ export class Window {
     for (let j = 0, k = 0; j < ny; j++)
       for (let i = 0; i < nx; i++, k++) this.index[k] = lattice.points.get(this.key(i, j)) ?? MISSING;
   }
+  /** How many points are known, and of those of the first picture how many there are. */
+  get counts() {
+    const { index, nx, ny } = this;
+    const first = { found: 0, all: 0 };
+    let known = 0;
+    for (let j = 0, k = 0; j < ny; j++)
+      for (let i = 0; i < nx; i++, k++) {
+        const there = index[k] === MISSING ? 0 : 1;
+        known += there;
+        if (i % COARSE || j % COARSE || !this.#inside(i, j, COARSE)) continue;
+        first.found += there;
+        first.all += 1;
+      }
+    return { first, known };
+  }
   /**
    * Whether a point can be: within the ends of both axes, and of a window with this many steps about it.
    * @param {number} i
@@ -159,7 +175,7 @@ export class Window {
           if (stride === COARSE) this.coarse = true;
           if (lattice.asked.has(key) || (!whole && stride < COARSE && lattice.spared.has(key))) continue;
           const torn = stride < COARSE && this.#torn(i, j, stride);
-          if (!whole && !torn && stride <= COARSE / 4 && this.#straight(i, j, stride)) {
+          if (!whole && !torn && stride < NEVER_SPARED && this.#straight(i, j, stride)) {
             lattice.spared.add(key);
             continue;
           }
