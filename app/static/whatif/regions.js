@@ -1,4 +1,4 @@
-// Parts of a map that are told apart: what they are called, and which are hatched.
+// Parts of a map by what is found there: what they are called, and which are hatched.
 import { text } from '../text/catalogue.js';
 import { COLOR } from './ink.js';
 import { MANY } from './lattice.js';
