@@ -93,10 +93,9 @@ def busy(events: list[dict[str, Any]]) -> np.ndarray:
 
 
 def _rows(name: str, pictures: float, frames: float, spent: np.ndarray) -> list:
+    target = ">= 20" if "rigid" in name else ""
     return [
-        row(
-            f"pictures of the map while a slider is dragged, {name}", pictures, "/s", ">= 20" if "rigid" in name else ""
-        ),
+        row(f"pictures of the map while a slider is dragged, {name}", pictures, "/s", target),
         row(f"frames meanwhile, {name}", frames, "/s"),
         row(f"main thread busy in a frame, median, {name}", float(np.median(spent)), "ms"),
         row(f"main thread busy in a frame, p95, {name}", float(np.quantile(spent, 0.95)), "ms", "<= 16"),
