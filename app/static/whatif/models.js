@@ -26,7 +26,7 @@ export class Models {
   bound = BOUNDS[2];
   lattices = new Lattices(KEPT, (number) => new ModelLattice(number));
   list = make('ul', { className: 'whatif-models-list' });
-  said = make('p', { className: 'whatif-notes', id: 'whatif-models-notes' });
+  said = make('p', { className: 'whatif-models-said', id: 'whatif-models-said' });
   pointed = '';
 
   /** @param {WhatIf} whatif */

@@ -64,7 +64,7 @@ export class Plane {
     this.regions = regions;
     this.over.ariaLabel = regions.about;
     if (regions.listed) this.bar = null;
-    this.root = make('div', { className: 'whatif-map' }, this.base, this.over);
+    this.root = make('div', { className: regions.listed ? 'whatif-models-map' : 'whatif-map' }, this.base, this.over);
   }
   /** Measure its room; whether there is any. */
   measure() {
