@@ -1,9 +1,10 @@
-"""Maps of impacts in the browser: what a point costs one worker, by kind of impact, and a whole map."""
+"""Maps of impacts in the browser: what a point costs one worker, by kind of impact, a whole map, a slider dragged."""
 
 from playwright.sync_api import sync_playwright
 
 from tests.app.conftest import QUIET, Page, chromium
 
+from . import map_drag
 from .serving import served_page
 from .size import of, some
 from .timing import row
@@ -74,6 +75,7 @@ def measure() -> dict[str, object]:
                     raise ValueError(f"{query}: no kernel answers it")
                 rows += _rows(name + (", long steps" if tolerance else ""), side, *measured)
             page.context.close()
+        rows += map_drag.measure(browser, address)
         browser.close()
     return dict(rows)
 

@@ -28,7 +28,7 @@ import { saidOf } from './view_link.js';
 const FINE = 2; // times as many pixels of the map in a picture
 const MOST = 64; // values of an axis in a command
 const TOGETHER = 15; // of each of two axes whose keys go together
-const PARTS = ['sentence', 'map', 'curves', 'tolerance', 'models-list', 'notes', 'foot'].map(
+const PARTS = ['sentence', 'map', 'curves', 'tolerance', 'models-map', 'models-list', 'models-said', 'foot'].map(
   (name) => `.whatif-${name}`,
 );
 const BARS = '.whatif-inputs .bar i';

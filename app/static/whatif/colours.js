@@ -13,9 +13,9 @@ export const RAMPS = {
   steel: ['#f6f8f9', '#dfe6ec', '#bcc8d2', '#93a3b1', '#687b8b', '#3f5160', '#15202b'],
   steps: ['#eef2f5', '#f8b898', '#e4784a', '#b03a20', '#3d040a'], // neighbours differ in lightness alone, too
   models: [
-    ...['#f3f6f8', '#dfeaf3', '#c6daea', '#abc8e0'], // nothing rings
-    ...['#fde3d3', '#f9c4a6', '#f4a277', '#ea7d4b', '#d65a2c', '#b73c1c', '#8c2317'], // by ever more modes
-    '#4a0d10',
+    ...['#f4f7f9', '#e2ecf5', '#cfe0ef', '#bcd4e9'], // nothing rings
+    ...['#f6bf9f', '#f1a67e', '#e98c5e', '#dc7141', '#c4542b', '#9e3a1b', '#722314'], // by ever more modes
+    '#3d0b0c',
   ],
 };
 export const NONE = 0xffffffff; // where nothing is known yet

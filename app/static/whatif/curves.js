@@ -357,7 +357,7 @@ export class Curves {
   /** @param {PointerEvent} event */
   #take(event) {
     if (event.button || !this.jobs.shown) return;
-    this.dragged = this.whatif.held = true;
+    this.dragged = this.whatif.grip.hand = true;
     this.canvas.setPointerCapture(event.pointerId);
     this.#go(event);
   }
@@ -374,7 +374,7 @@ export class Curves {
   }
   #leave() {
     if (!this.dragged) return;
-    this.dragged = this.whatif.held = false;
+    this.dragged = this.whatif.grip.hand = false;
     this.whatif.schedule();
   }
   /** @param {KeyboardEvent} event */

@@ -56,7 +56,7 @@ export class Hands {
     if (under === 'letter') return this.whatif.designs.go(plane.letters.under(px, py) ?? '');
     this.drag = under;
     plane.over.setPointerCapture(event.pointerId);
-    this.whatif.held = true;
+    this.whatif.grip.hand = true;
     if (under === 'map' || under === 'bar') this.#move(event);
   }
   /** @param {PointerEvent} event */
@@ -77,7 +77,7 @@ export class Hands {
   #leave() {
     if (!this.drag) return;
     this.drag = null;
-    this.whatif.held = false;
+    this.whatif.grip.hand = false;
     this.whatif.schedule();
   }
   /** @param {number} py */

@@ -67,6 +67,35 @@ export class Lattice {
 }
 
 /**
+ * What is kept of what has been looked at, the newest.
+ * @template {Lattice} L
+ */
+export class Lattices {
+  /** @type {Map<string, L>} */ all = new Map();
+  made = 0;
+
+  /**
+   * @param {number} most
+   * @param {(number: number) => L} make
+   */
+  constructor(most, make) {
+    this.most = most;
+    this.make = make;
+  }
+  /** @param {string} key  of all that its impacts hang on */
+  get(key) {
+    const found = this.all.get(key) ?? this.make((this.made += 1));
+    this.all.delete(key);
+    this.all.set(key, found); // the newest last
+    for (const [old] of [...this.all].slice(0, -this.most)) this.all.delete(old);
+    return found;
+  }
+  clear() {
+    this.all.clear();
+  }
+}
+
+/**
  * What came of the half of an edge.
  * @param {Edge} edge
  * @param {number} at

@@ -37,6 +37,8 @@ export class MapJobs {
   /** @type {Window | null} */ view = null;
   /** @type {Point[][]} */ wanted = []; // by level
   /** @type {ReturnType<Window['halves']> | null} */ halves = null; // once they are looked for
+  partly = false; // whether of these only the first level is known
+  at = /** @type {[x: number, y: number]} */ ([0, 0]); // of the scene, 0 to 1 each
   coarse = false; // whether the first picture is not yet whole
   /** @type {{ key: string, of: string, found: Float64Array | null }} */ own = { key: '', of: '', found: null };
   under = 0; // jobs that are under way
@@ -68,7 +70,10 @@ export class MapJobs {
       (placeOf(x, this.whatif.value(x)) - x0) / (x1 - x0),
       (placeOf(y, this.whatif.value(y)) - y0) / (y1 - y0),
     ]);
-    this.wanted = view.plan(at, false);
+    const { held, points } = this.whatif;
+    this.at = at;
+    this.partly = held && points.source === points.own; // the next picture is there before more is needed
+    this.wanted = view.plan(at, false, this.partly);
     this.coarse = view.coarse;
   }
   /** @returns {Job | null} */
@@ -86,6 +91,11 @@ export class MapJobs {
     const gain = view && this.coarse ? null : gains.next();
     if (gain || !view) return gain ?? (slow ? modes.next(this.many) : null);
     while (this.wanted.length && !this.wanted[0].length) this.wanted.shift();
+    if (!this.wanted.length && this.partly) {
+      this.partly = false;
+      view.look();
+      this.wanted = view.plan(this.at, false);
+    }
     if (!this.wanted.length && !this.halves) {
       this.wanted = [view.mend()].filter(({ length }) => length);
       this.halves = view.halves();

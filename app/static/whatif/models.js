@@ -9,6 +9,7 @@ import { family, text } from '../text/catalogue.js';
 import { colourOfModel } from './colours.js';
 import { Hands } from './hands.js';
 import { BOUNDS, ModelJobs, ModelLattice } from './model_jobs.js';
+import { Lattices } from './lattice.js';
 import { placeOf } from './places.js';
 import { Plane } from './plane.js';
 import { Window } from './window.js';
@@ -23,9 +24,9 @@ export class Models {
   /** @type {Window | null} */ view = null; // that is seen
   domain = null; // of a result: none is shown
   bound = BOUNDS[2];
-  /** @type {Map<string, ModelLattice>} */ lattices = new Map();
+  lattices = new Lattices(KEPT, (number) => new ModelLattice(number));
   list = make('ul', { className: 'whatif-models-list' });
-  said = make('p', { className: 'whatif-notes', id: 'whatif-models-notes' });
+  said = make('p', { className: 'whatif-models-said', id: 'whatif-models-said' });
   pointed = '';
 
   /** @param {WhatIf} whatif */
@@ -68,10 +69,7 @@ export class Models {
     const { chosen, result, x, y } = this.whatif;
     const others = Object.entries(chosen).filter(([name]) => name !== x.name && name !== y.name);
     const key = JSON.stringify([x.name, y.name, result, others]);
-    const lattice = this.lattices.get(key) ?? new ModelLattice(0);
-    this.lattices.delete(key);
-    this.lattices.set(key, lattice); // the newest last
-    for (const [old] of [...this.lattices].slice(0, -KEPT)) this.lattices.delete(old);
+    const lattice = this.lattices.get(key);
     lattice.look(BOUNDS.indexOf(this.bound));
     const values = [x, y].map((axis) => this.whatif.value(axis));
     return { lattice, chosen, names: [x.name, y.name], values, figure: result };
@@ -147,7 +145,7 @@ export class Models {
   }
   /** How many points there are. */
   get status() {
-    const all = [...this.lattices.values()].reduce((sum, { count }) => sum + count, 0);
+    const all = [...this.lattices.all.values()].reduce((sum, { count }) => sum + count, 0);
     return text('whatif.models-status', { count: grouped(all), busy: String(!this.jobs.idle) });
   }
   /** Why there is nothing, where all are refused. */

@@ -64,7 +64,7 @@ export class Plane {
     this.regions = regions;
     this.over.ariaLabel = regions.about;
     if (regions.listed) this.bar = null;
-    this.root = make('div', { className: 'whatif-map' }, this.base, this.over);
+    this.root = make('div', { className: regions.listed ? 'whatif-models-map' : 'whatif-map' }, this.base, this.over);
   }
   /** Measure its room; whether there is any. */
   measure() {
@@ -102,7 +102,7 @@ export class Plane {
     const { sheet, step } = raster;
     c.drawImage(sheet, plot.x, plot.y, sheet.width * step, sheet.height * step);
     c.translate(plot.x, plot.y);
-    hatch(c, raster, plot, (count) => count < 0, 1);
+    if (raster.refused) hatch(c, raster, plot, (count) => count < 0, 1);
     const { weak } = this.regions;
     if (weak) hatch(c, raster, plot, weak, -1);
     const { log, whole } = shownOf(result);

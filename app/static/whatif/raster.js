@@ -19,6 +19,7 @@ export class Raster {
   contacts = new Int16Array(0);
   /** @type {Map<number, Torn>} */ torn = new Map(); // cells through which a change goes
   step = 1; // pixels of the page in one of these
+  refused = false; // whether anything in view is
 
   /**
    * Find values and colours of all pixels.
@@ -39,6 +40,7 @@ export class Raster {
     const image = c.createImageData(width, height);
     const pixels = new Uint32Array(image.data.buffer);
     const kinds = this.#kinds(view);
+    this.refused = kinds.includes(REFUSED) || view.contacts.some((count) => count < 0);
     const { axes, first, nx, steps } = view;
     const across = ((axes.x1 - axes.x0) / steps[0] / view.size[0]) * step; // steps of the lattice in a pixel
     for (let py = 0, at = 0; py < height; py++) {

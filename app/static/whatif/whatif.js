@@ -11,7 +11,8 @@ import { Designs } from './designs.js';
 import { Gains } from './gains.js';
 import { Goal } from './goal.js';
 import { Hands } from './hands.js';
-import { Lattice } from './lattice.js';
+import { Grip } from './grip.js';
+import { Lattice, Lattices } from './lattice.js';
 import { MapWords } from './map_words.js';
 import { Window } from './window.js';
 import { MapJobs } from './map_jobs.js';
@@ -45,7 +46,7 @@ export class WhatIf {
   /** @type {Result} */ result = 'peak_force';
   /** @type {Record<'x' | 'y', string>} */ named = { x: '', y: '' };
   ranges = new Ranges();
-  /** @type {Map<string, Lattice>} */ lattices = new Map();
+  lattices = new Lattices(KEPT, (number) => new Lattice(number));
   /** @type {Lattice | null} */ lattice = null;
   /** @type {Window | null} */ view = null;
   /** @type {Record<string, number>} */ wanted = {}; // by result
@@ -57,8 +58,7 @@ export class WhatIf {
   filled = ''; // with which result
   painted = ''; // what the map shows
   open = false;
-  held = false; // by a hand
-  numbered = 0; // lattices so far
+  grip = new Grip(() => this.schedule());
   due = 0;
   /** @type {number | undefined} */ streaming;
 
@@ -136,6 +136,9 @@ export class WhatIf {
     this.points.leave();
     this.points.ready = false;
     this.page.place();
+  }
+  get held() {
+    return this.grip.holds;
   }
   /** Choices as they are shown. */
   get chosen() {
@@ -218,11 +221,7 @@ export class WhatIf {
     const { named } = this;
     const others = Object.entries(this.chosen).filter(([name]) => name !== named.x && name !== named.y);
     const key = JSON.stringify([named.x, named.y, this.points.source === this.points.own, others]);
-    const known = this.lattices.get(key) ?? new Lattice((this.numbered += 1));
-    this.lattices.delete(key);
-    this.lattices.set(key, known); // the newest last
-    for (const [old] of [...this.lattices].slice(0, -KEPT)) this.lattices.delete(old);
-    return known;
+    return this.lattices.get(key);
   }
   /** All that follows. */
   draw() {
@@ -283,6 +282,7 @@ export class WhatIf {
     const seen = JSON.stringify([lattice.number, lattice.version, x0, x1, y0, y1, w, h, cell]);
     if (this.view && seen === this.seen) return;
     this.seen = seen;
+    if (this.lattice && lattice !== this.lattice) this.grip.move();
     this.lattice = lattice;
     this.view = new Window(lattice, { x, y, x0, x1, y0, y1 }, [w, h], cell);
     this.jobs.plan(this.view);

@@ -158,22 +158,28 @@ export class Window {
    * What is missing and needed, by level, the nearest to a place first; beside a change of contacts before all others.
    * @param {[x: number, y: number]} near  0 to 1 each
    * @param {boolean} whole  no point is spared
+   * @param {boolean} [first]  only of the first level at which anything is missing
    * @returns {Point[][]}
    */
-  plan([x, y], whole) {
+  plan([x, y], whole, first = false) {
     const { index, lattice, nx, ny, size } = this;
     const wanted = [];
     this.coarse = false;
     for (let stride = COARSE; stride >= 1; stride /= 2) {
       /** @type {[far: number, i: number, j: number][]} */
       const level = [];
+      let under = false; // whether some are under way
       for (let j = 0; j < ny; j += stride)
         for (let i = 0; i < nx; i += stride) {
           if (stride < COARSE && !(i % (2 * stride)) && !(j % (2 * stride))) continue;
           if (index[j * nx + i] !== MISSING || !this.#inside(i, j, stride)) continue;
           const key = this.key(i, j);
           if (stride === COARSE) this.coarse = true;
-          if (lattice.asked.has(key) || (!whole && stride < COARSE && lattice.spared.has(key))) continue;
+          if (!whole && stride < COARSE && lattice.spared.has(key)) continue;
+          if (lattice.asked.has(key)) {
+            under = true;
+            continue;
+          }
           const torn = stride < COARSE && this.#torn(i, j, stride);
           if (!whole && !torn && stride < NEVER_SPARED && this.#straight(i, j, stride)) {
             lattice.spared.add(key);
@@ -183,6 +189,7 @@ export class Window {
           level.push([Math.hypot((X - x) * size[0], (Y - y) * size[1]) - (torn ? 1e6 : 0), i, j]);
         }
       if (level.length) wanted.push(level.sort((a, b) => a[0] - b[0]).map(([, i, j]) => /** @type {Point} */ ([i, j])));
+      if (first && (under || level.length)) break;
     }
     return wanted;
   }

@@ -38,7 +38,7 @@ def test_the_scene_s_smallest_models_are_those_of_the_plan(show):
     for bound, name in zip((0.1, 0.05, 0.01, 0.001), names, strict=True):
         smallest = next(each for each in plan.candidates if each.modes and each.expected_error <= bound)
         assert name == f"{smallest.modes} modes"
-    expect(view.locator(".whatif-notes")).to_contain_text(f"10 %: {names[0]}")
+    expect(view.locator(".whatif-models-said")).to_contain_text(f"10 %: {names[0]}")
     assert view.locator("li").count() > 1  # the map has several, by colour
 
 
@@ -61,17 +61,17 @@ def test_what_is_shown_is_hatched_where_it_is_not_enough(show):
     """Five modes are not, of the hammer: it is said, and more modes mend it."""
     page = show(HAMMER + "&modes=5", SMALL)
     view = open_models(page, OF_HAMMER)
-    expect(view.locator(".whatif-notes")).to_contain_text("What is shown is not, within 1 %: hatched.")
+    expect(view.locator(".whatif-models-said")).to_contain_text("What is shown is not, within 1 %: hatched.")
     assert page.tab.evaluate(f"() => {MODELS}.plane.regions.weak({MODELS}.jobs.own.places[2])")
     show(HAMMER + "&modes=30", SMALL)
     view = open_models(page, OF_HAMMER)
-    expect(view.locator(".whatif-notes")).not_to_contain_text("hatched")
+    expect(view.locator(".whatif-models-said")).not_to_contain_text("hatched")
 
 
 def test_the_point_is_moved_by_a_finger_and_by_keys(open_page):
     page = open_page(ROD, **PHONE)
     view = open_models(page, OF_ROD)
-    over = view.locator(".whatif-map canvas").last
+    over = view.locator(".whatif-models-map canvas").last
     box = over.bounding_box()
     place = (box["x"] + 0.8 * box["width"], box["y"] + 0.5 * box["height"])
     Fingers(page).go((place, place))
@@ -85,7 +85,7 @@ def test_the_point_is_moved_by_a_finger_and_by_keys(open_page):
 def test_where_nothing_rings_it_says_so(show):
     page = show("?layout=opening&scene=two-balls", SMALL)
     view = open_models(page, "models:peak_force", f"() => {MODELS}")
-    expect(view.locator(".whatif-notes")).to_contain_text("Nothing bends or rings here")
+    expect(view.locator(".whatif-models-said")).to_contain_text("Nothing bends or rings here")
 
 
 def test_its_table_and_its_command_are_taken_along(show, tmp_path, capsys, monkeypatch):
