@@ -368,7 +368,7 @@ def test_auto_takes_a_method_with_weight():
     """However exact waves are otherwise."""
     rod = {"kind": "rod", "length": 1.0, "section": {"radius": 0.01}, "material": "steel", "support": "fixed"}
     scene = dropped({"law": "hertz", "stiffness": 1e9}, rod, 2.0, 1.0)
-    found = solvers.solve(scene, "auto", tolerance=1e-2)
+    found = solvers.solve(scene, "auto", tolerance=1e-4)  # a rigid impulse is 1.2e-3 off
     assert "weight-left-out" not in [note.code for note in found.notes]
     assert found.energy["weight"] != 0.0
     assert solvers.solve(scene).method["name"] == "waves"  # so little that a note says all
