@@ -25,6 +25,10 @@ export class Gains {
   constructor(whatif) {
     this.whatif = whatif;
   }
+  /** Another scene: nothing that was found is of it. */
+  forget() {
+    this.gains.clear();
+  }
   /** Choices of the sliders that are seen. */
   get #axes() {
     const { axes, page, points } = this.whatif;

@@ -101,7 +101,8 @@ export class Goal {
     const { page, result } = this.whatif;
     if (!this.axis) this.gives = this.usual;
     const { axis, wanted } = this;
-    this.root.hidden = Boolean(shownOf(result).whole) || !axis;
+    const models = this.whatif.modes.mode === 'models'; // which have no values
+    this.root.hidden = Boolean(shownOf(result).whole) || !axis || models;
     if (this.root.hidden || wanted === null || !axis) {
       this.seek.ask(null);
       this.sought = null;
@@ -167,6 +168,7 @@ export class Goal {
     if (wanted === null || !axis || !sought || sought.asked.axis.name !== axis.name) {
       this.roots.replaceChildren(this.seek.idle ? '' : text('whatif.seeking'));
       this.roots.dataset.known = '';
+      cleared(this.scan, this.box); // of another choice
       return;
     }
     this.#list(sought, axis);

@@ -18,6 +18,7 @@ import { Window } from './window.js';
 
 const KEPT = 8; // lattices
 const CELL = 10; // pixels of a step
+const COARSE = 16; // steps of the first picture: some thirty points
 const SHORT = family('whatif.model');
 
 export class Models {
@@ -80,7 +81,7 @@ export class Models {
     const asked = this.#asked;
     const [[x0, x1], [y0, y1]] = [whatif.range(x), whatif.range(y)];
     const { h, w } = plane.plot;
-    const view = new Window(asked.lattice, { x, y, x0, x1, y0, y1 }, [w, h], CELL);
+    const view = new Window(asked.lattice, { x, y, x0, x1, y0, y1 }, [w, h], CELL, COARSE);
     const places = /** @type {[number, number]} */ ([x, y].map((axis, k) => placeOf(axis, asked.values[k])));
     this.jobs.ask(asked, view, [(places[0] - x0) / (x1 - x0), (places[1] - y0) / (y1 - y0)]);
     const same = this.view?.axes.x.name === x.name && this.view.axes.y.name === y.name;

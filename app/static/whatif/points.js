@@ -181,7 +181,10 @@ export class Points {
     for (const source of this.sources)
       for (const base of bases)
         if (same(base) && source.covers(base, source === this.own ? [...names, ...changed(base)] : names)) {
-          if (source !== this.source) this.spent = source === this.own ? 0.3 : 20;
+          if (source !== this.source) {
+            this.spent = source === this.own ? 0.3 : 20;
+            this.solved = 0; // by the other
+          }
           if (source !== this.source || base !== this.base) {
             this.#drop();
             source.scene(base);

@@ -179,6 +179,7 @@ export class WhatIf {
       this.ranges.clear();
       this.lattices.clear();
       this.modes.forget();
+      this.gains.forget();
       this.wanted = {};
       this.named = { x: '', y: '' };
     }

@@ -8,7 +8,6 @@ import { PLACE, WIDTH, shownOf } from './results.js';
 /** @import { Mapped } from './results.js' */
 
 const FINEST = 12; // levels: steps of 2^-level
-const LEAST = 3; // so that the coarse points have a step that divides one
 const COARSE = 8; // steps of the first picture, in steps of the finest
 export const NEVER_SPARED = COARSE / 2; // steps between points that every whole map has
 const ROW = 2 ** 24;
@@ -28,18 +27,20 @@ export class Window {
    * @param {Axes} axes
    * @param {[width: number, height: number]} size  of the plot [px]
    * @param {number} cell  of a step of the lattice at least [px]
+   * @param {number} [coarsest]  steps of the first picture, a power of two
    */
-  constructor(lattice, axes, size, cell) {
+  constructor(lattice, axes, size, cell, coarsest = COARSE) {
     Object.assign(this, { axes, lattice, size });
     this.lattice = lattice;
     this.axes = axes;
     this.size = size;
+    this.coarsest = coarsest;
     const along = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ pixels) => {
       const level = Math.floor(-Math.log2((cell * (to - from)) / pixels));
-      const step = 2 ** -Math.min(Math.max(level, LEAST), FINEST);
-      const first = Math.floor(from / step / COARSE + 1e-9) * COARSE;
-      const last = Math.ceil(to / step / COARSE - 1e-9) * COARSE;
-      return { step, first, count: Math.max(last - first, COARSE) + 1 };
+      const step = 2 ** -Math.min(Math.max(level, Math.log2(coarsest)), FINEST); // the first one divides one
+      const first = Math.floor(from / step / coarsest + 1e-9) * coarsest;
+      const last = Math.ceil(to / step / coarsest - 1e-9) * coarsest;
+      return { step, first, count: Math.max(last - first, coarsest) + 1 };
     };
     const [across, up] = [along(axes.x0, axes.x1, size[0]), along(axes.y0, axes.y1, size[1])];
     this.steps = [across.step, up.step];
@@ -106,7 +107,7 @@ export class Window {
     const i = (axes.x0 + X * (axes.x1 - axes.x0)) / steps[0] - first[0];
     const j = (axes.y0 + Y * (axes.y1 - axes.y0)) / steps[1] - first[1];
     if (!this.#refused(Math.round(i), Math.round(j))) return null;
-    for (let s = 1; s <= COARSE; s *= 2) {
+    for (let s = 1; s <= this.coarsest; s *= 2) {
       const found = this.lattice.why.get(this.key(s * Math.round(i / s), s * Math.round(j / s)));
       if (found) return found; // a finer point has none of its own where it was filled from coarser ones
     }
@@ -128,14 +129,14 @@ export class Window {
   }
   /** How many points are known, and of those of the first picture how many there are. */
   get counts() {
-    const { index, nx, ny } = this;
+    const { coarsest, index, nx, ny } = this;
     const first = { found: 0, all: 0 };
     let known = 0;
     for (let j = 0, k = 0; j < ny; j++)
       for (let i = 0; i < nx; i++, k++) {
         const there = index[k] === MISSING ? 0 : 1;
         known += there;
-        if (i % COARSE || j % COARSE || !this.#inside(i, j, COARSE)) continue;
+        if (i % coarsest || j % coarsest || !this.#inside(i, j, coarsest)) continue;
         first.found += there;
         first.all += 1;
       }
@@ -162,25 +163,25 @@ export class Window {
    * @returns {Point[][]}
    */
   plan([x, y], whole, first = false) {
-    const { index, lattice, nx, ny, size } = this;
+    const { coarsest, index, lattice, nx, ny, size } = this;
     const wanted = [];
     this.coarse = false;
-    for (let stride = COARSE; stride >= 1; stride /= 2) {
+    for (let stride = coarsest; stride >= 1; stride /= 2) {
       /** @type {[far: number, i: number, j: number][]} */
       const level = [];
       let under = false; // whether some are under way
       for (let j = 0; j < ny; j += stride)
         for (let i = 0; i < nx; i += stride) {
-          if (stride < COARSE && !(i % (2 * stride)) && !(j % (2 * stride))) continue;
+          if (stride < coarsest && !(i % (2 * stride)) && !(j % (2 * stride))) continue;
           if (index[j * nx + i] !== MISSING || !this.#inside(i, j, stride)) continue;
           const key = this.key(i, j);
-          if (stride === COARSE) this.coarse = true;
-          if (!whole && stride < COARSE && lattice.spared.has(key)) continue;
+          if (stride === coarsest) this.coarse = true;
+          if (!whole && stride < coarsest && lattice.spared.has(key)) continue;
           if (lattice.asked.has(key)) {
             under = true;
             continue;
           }
-          const torn = stride < COARSE && this.#torn(i, j, stride);
+          const torn = stride < coarsest && this.#torn(i, j, stride);
           if (!whole && !torn && stride < NEVER_SPARED && this.#straight(i, j, stride)) {
             lattice.spared.add(key);
             continue;
@@ -306,7 +307,7 @@ export class Window {
       const value = lattice.value(name, index[k]);
       this.values[k] = log ? Math.log10(value) : value;
     }
-    for (let s = COARSE / 2; s >= 1; s /= 2)
+    for (let s = this.coarsest / 2; s >= 1; s /= 2)
       for (let j = 0; j < ny; j += s)
         for (let i = 0; i < nx; i += s) {
           const [across, up] = [i % (2 * s), j % (2 * s)];
