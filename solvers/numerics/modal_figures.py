@@ -1,7 +1,7 @@
 """Figures alone of an impact across by its modes, without histories: memory does not grow with the steps.
 
-A window of steps is marched at a time, from it is taken what contacts and figures need, and its end is where the next
-one begins. What rings on undamped flies in between, in one go however many steps that takes.
+A window of steps is marched at a time, what contacts and figures need is taken from it, and the next one begins with its
+end. Where faces cannot meet for a while, that is one leap however many steps it takes.
 """
 
 import math
@@ -14,7 +14,7 @@ from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts
 from .arrays import copy_to
-from .flights import Flights, _steps_apart, every_step, set_flights
+from .flights import Flights, _steps_apart, every_step
 from .modal_drawn import March, at_rest, cut, march_on, step_of_beam
 from .modal_steps import LEAST_STEPS
 from .oscillators import carried_to, residual_spring, ringing, set_bank
@@ -25,10 +25,9 @@ from .waves.laws import STORED
 # what a march goes on with, and in the end its figures; times in steps; SEEN: how far the resolved force is known;
 # SHOWN: the instant that FINAL and what follows are of, velocities, energies of what is struck and lost, indentation
 DONE, FIRST, DEEPEST, PRESSED, PRESSED_UNTIL, PARTED_AT, SEEN, IMPULSE = range(8)
-COUNT, START, PARTING, TOUCHING, PEAK, OPEN, RECEIVED, BENT = range(8, 16)
+COUNT, START, PARTING, TOUCHING, PEAK, OPEN, RECEIVED, FLYING = range(8, 16)
 SHOWN, FINAL, TARGET, STRUCK, LOST, DEPTH, DISSIPATED = range(16, 23)
-FLYING = 23
-COLUMNS = 24
+COLUMNS = 23
 BEGUN, ENDED, LEAST = range(3)  # of a contact of rigid faces: times, and the indentation where they open most behind it
 CHATTERS = 3
 
@@ -130,31 +129,37 @@ def _ends(k, record, room, known, asked, constants, rigid, s):
 
 
 @inner_kernel
+def _bent(k, record, compliance):
+    """How far the oscillators are from rest at an instant of the window."""
+    bent = record.position[k] - record.rigid_position[k] - record.indentation[k]
+    return bent - compliance * record.spring_force[k]
+
+
+@inner_kernel
 def _take(begin, end, room, known, asked, of_law, compliance, s):
     """Take what is needed from these steps of the window; whether there is room."""
     march, record, (constants, _, rigid) = room.march, room.march.record, of_law
-    force, depth, size = record.contact_force, record.indentation, room.impulses.size - 1
+    force, depth, pressed = record.contact_force, record.indentation, s[PRESSED] > 0.0
     for k in range(begin, end):
         presses = force[k] > 0.0
-        if s[PRESSED] > 0.0 and not presses:
+        if pressed and not presses:
             presses = modal_contacts.closed(k, k + 1, record, known.step, asked, constants, march.slopes) > k
             if not presses:
                 _ends(k, refer(cut(record, k + 1)), room, known, asked, constants, rigid, s)
-        elif s[PRESSED] == 0.0 and presses and not _begins(k, room, known, asked, constants, rigid, s):
+        elif presses and not pressed and not _begins(k, room, known, asked, constants, rigid, s):
             return False
-        s[DEEPEST], s[IMPULSE] = max(s[DEEPEST], depth[k + 1]), s[IMPULSE] + force[k]
-        bent = record.position[k + 1] - record.rigid_position[k + 1] - depth[k + 1]
-        bent -= compliance * record.spring_force[k + 1]
-        s[RECEIVED], s[BENT] = s[RECEIVED] + force[k] * (bent - s[BENT]), bent
+        pressed = presses
         if force[k] > 0.0:
-            s[PRESSED_UNTIL] = s[FIRST] + k + 1
+            s[DEEPEST], s[PRESSED_UNTIL] = max(s[DEEPEST], depth[k + 1]), s[FIRST] + k + 1
+            s[IMPULSE] += force[k] * known.step
+            s[RECEIVED] += force[k] * (_bent(k + 1, record, compliance) - _bent(k, record, compliance))
+            if not rigid:
+                s[PEAK] = max(s[PEAK], force[k])
         if rigid:
-            room.impulses[(int(s[FIRST]) + k + 1) & size] = s[IMPULSE] * known.step
-            if s[PRESSED] == 0.0 and s[COUNT] > 0.0:
+            room.impulses[(int(s[FIRST]) + k + 1) & (room.impulses.size - 1)] = s[IMPULSE]
+            if not pressed:
                 row = room.chatter[int(s[COUNT]) - 1]
                 row[LEAST] = min(row[LEAST], depth[k + 1])
-        else:
-            s[PEAK] = max(s[PEAK], force[k])
     if rigid:
         _resolve(known, int(s[FIRST]) + end, False, room.impulses, s)
     return True
@@ -193,8 +198,18 @@ def _move_on(record, stride, s):
 
 
 @inner_kernel
-def _leap(room, residual, step, stride, until, s):
-    """From the beginning of a window, with nothing but its last stride before it, fly as far as faces cannot meet."""
+def _turn(angle, damping):
+    """What some time does to an oscillator, see `oscillators.Bank`; angle: its frequency times the time."""
+    turned, shrink = math.sqrt(1.0 - damping * damping) * angle, math.exp(-damping * angle)
+    return shrink * math.cos(turned), shrink * math.sin(turned)
+
+
+@inner_kernel
+def _leap(room, damping, residual, step, stride, until, s):
+    """From the beginning of a window, with nothing but its last stride before it, fly as far as faces cannot meet.
+
+    Neither can oscillators that are damped bring them closer in a step than by all amplitudes, which shrink.
+    """
     record, flights, bank = room.march.record, room.flights, room.march.bank
     q, p = room.march.displacement, room.march.velocity
     gap, spring, lost = -record.indentation[stride], record.spring_force[stride], record.lost[stride]
@@ -210,7 +225,7 @@ def _leap(room, residual, step, stride, until, s):
     for i in range(q.size):
         cosine, sine = flights.cosine[i], flights.sine[i]
         if strides > 1:
-            cosine, sine = math.cos(steps * flights.angle[i]), math.sin(steps * flights.angle[i])
+            cosine, sine = _turn(steps * flights.angle[i], damping[i])
         at[i], rate[i] = cosine * at[i] + sine * rate[i], cosine * rate[i] - sine * at[i]
         q[i] = bank.cosine[i] * at[i] + bank.sine[i] * rate[i]
         p[i] = bank.cosine[i] * rate[i] - bank.sine[i] * at[i]
@@ -262,7 +277,7 @@ def _to(until, glow, law, asked, of_law, residual, bodies, damping, known, strid
         if flies or end == march.record.contact_force.size:
             _move_on(march.record, stride, s)
         if flies:
-            _leap(room, residual, known.step, stride, min(float(until), seen if s[DONE] < seen else np.inf), s)
+            _leap(room, damping, residual, known.step, stride, min(float(until), seen if s[DONE] < seen else np.inf), s)
         if s[DONE] == seen and s[PRESSED] == 0.0:
             _show(room, bodies, damping, stride, s)
     return True
@@ -324,9 +339,9 @@ def _settle(room, known, asked, of_law, parted, s):
 def figures_of_beam(
     law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, most_steps, stride, room
 ):  # fmt: skip
-    """Figures alone of what is struck across, into `room.known`: see `modal_drawn.answer_of_beam`. Of what rings on
-    undamped flights are taken at once, unless a contact is rigid; an impact of more than so many steps is refused.
-    Returns SOLVED or NO_ROOM, and the step."""
+    """Figures alone of what is struck across, into `room.known`: see `modal_drawn.answer_of_beam`. Flights are
+    taken at once, unless a contact is rigid; an impact of more than `most_steps` is refused. Returns SOLVED or NO_ROOM,
+    and the step."""
     room, (frequencies, at_contact, damping), (constants, _, rigid) = refer(room), modes, of_law
     march, s = room.march, room.known
     series = 0.0 if rigid else compliance
@@ -348,10 +363,10 @@ def figures_of_beam(
     for k in range(COLUMNS):
         s[k] = 0.0
     room.impulses[0], s[OPEN] = 0.0, modal_contacts.LEAST_OPENING * gives
-    flying = not rigid and damping[0] == 0.0
-    if flying:
-        set_flights(frequencies, step, stride, room.flights)
-    s[FLYING] = 1.0 if flying else 0.0
+    s[FLYING] = 0.0 if rigid else 1.0
+    for i in range(frequencies.size):
+        room.flights.angle[i] = frequencies[i] * step
+        room.flights.cosine[i], room.flights.sine[i] = _turn(stride * room.flights.angle[i], damping[i])
     marched = law, asked, of_law, residual, bodies, modes, known, stride, room, s
     solved, parted = _followed(most, most_steps, asked_time, limits[1] * longest, *marched)
     if not solved or s[COUNT] < 1.0:

@@ -204,7 +204,7 @@ export const ROOM = {
     impulses: 131072,
     chatter: 1500,
     contact: 4,
-    known: 24,
+    known: 23,
     out: 11,
   },
 };
