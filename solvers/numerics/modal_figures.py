@@ -1,7 +1,7 @@
 """Figures alone of an impact across by its modes, without histories: memory does not grow with the steps.
 
-A window of steps is marched at a time, what contacts and figures need is taken from it, and the next one begins with its
-end. Where faces cannot meet for a while, that is one leap however many steps it takes.
+A window of steps is marched at a time, what contacts and figures need is taken from it, and the next one begins with
+its end. Where faces cannot meet for a while, that is one leap however many steps it takes.
 """
 
 import math
@@ -83,25 +83,22 @@ def _joined(chatter, count, opening):
 
 
 @inner_kernel
-def _edge(k, first, record, room, known, asked, constants):
-    """Write the contact of one step of a window: of its first its start, of its last its end, in times of the window.
-
-    first: whether a contact begins with step k; or else it has ended before.
-    """
+def _edge(k, presses, record, room, known, asked, constants):
+    """Write the contact of one step of a window, whose start or end that is: of step k, or of the one before. Times are
+    those of the window; record: as far as it is known."""
     march, runs = room.march, room.march.runs[:1]
     modal_contacts.gathered(record, known.step, march.deepest, march.impulses)
-    runs[0, 0], runs[0, 1] = (k, k + 1) if first else (k - 1, k)
+    runs[0, 0] = k if presses else k - 1
+    runs[0, 1] = runs[0, 0] + 1
     modal_contacts.contacts(
         record, march.deepest, march.impulses, runs, known, asked, constants, march.slopes, room.contact
     )
 
 
 @inner_kernel
-def _begins(k, room, known, asked, constants, rigid, s):
+def _begins(k, room, known, rigid, s):
     """Take up a contact that begins with step k of the window; whether there is room."""
-    _edge(k, True, refer(cut(room.march.record, k + 1)), room, known, asked, constants)
     start, chatter = room.contact[0, modal_contacts.START] + s[FIRST] * known.step, room.chatter
-    s[PRESSED] = 1.0
     if not rigid:
         s[COUNT], s[START] = s[COUNT] + 1.0, start
         s[PEAK] = max(s[PEAK], room.contact[0, modal_contacts.PEAK])
@@ -110,20 +107,19 @@ def _begins(k, room, known, asked, constants, rigid, s):
     if count == 0 or (apart and _opens(chatter, count - 1, s[OPEN] * s[PEAK])):  # PEAK still grows: looked at again
         if count == chatter.shape[0]:
             count = _joined(chatter, count, s[OPEN] * s[PEAK])
-            if count == chatter.shape[0]:
-                return False
+        if count == chatter.shape[0]:
+            return False
         chatter[count, BEGUN], s[COUNT] = start, count + 1.0
     return True
 
 
 @inner_kernel
-def _ends(k, record, room, known, asked, constants, rigid, s):
+def _ends(k, room, known, rigid, s):
     """End a contact behind which step k of the window comes."""
-    _edge(k, False, record, room, known, asked, constants)
-    end, count = room.contact[0, modal_contacts.END] + s[FIRST] * known.step, int(s[COUNT])
-    s[PRESSED], s[PARTED_AT] = 0.0, s[FIRST] + k
+    end, row = room.contact[0, modal_contacts.END] + s[FIRST] * known.step, room.chatter[int(s[COUNT]) - 1]
+    s[PARTED_AT] = s[FIRST] + k
     if rigid:
-        room.chatter[count - 1, ENDED], room.chatter[count - 1, LEAST] = end, record.indentation[k]
+        row[ENDED], row[LEAST] = end, room.march.record.indentation[k]
     else:
         s[TOUCHING], s[PARTING] = s[TOUCHING] + end - s[START], end
 
@@ -136,19 +132,23 @@ def _bent(k, record, compliance):
 
 
 @inner_kernel
-def _take(begin, end, room, known, asked, of_law, compliance, s):
-    """Take what is needed from these steps of the window; whether there is room."""
+def _take(begin, end, ended, room, known, asked, of_law, compliance, s):
+    """Take what is needed from these steps of the window; whether there is room. ended: none come after them."""
     march, record, (constants, _, rigid) = room.march, room.march.record, of_law
-    force, depth, pressed = record.contact_force, record.indentation, s[PRESSED] > 0.0
-    for k in range(begin, end):
-        presses = force[k] > 0.0
-        if pressed and not presses:
+    force, depth = record.contact_force, record.indentation
+    for k in range(begin, end + 1 if ended else end):
+        presses, pressed = k < end and force[k] > 0.0, s[PRESSED] > 0.0
+        if k < end and pressed and not presses:
             presses = modal_contacts.closed(k, k + 1, record, known.step, asked, constants, march.slopes) > k
+        if presses != pressed:
+            s[PRESSED] = 1.0 if presses else 0.0
+            _edge(k, presses, refer(cut(record, min(k + 1, end))), room, known, asked, constants)
             if not presses:
-                _ends(k, refer(cut(record, k + 1)), room, known, asked, constants, rigid, s)
-        elif presses and not pressed and not _begins(k, room, known, asked, constants, rigid, s):
-            return False
-        pressed = presses
+                _ends(k, room, known, rigid, s)
+            elif not _begins(k, room, known, rigid, s):
+                return False
+        if k == end:
+            break
         if force[k] > 0.0:
             s[DEEPEST], s[PRESSED_UNTIL] = max(s[DEEPEST], depth[k + 1]), s[FIRST] + k + 1
             s[IMPULSE] += force[k] * known.step
@@ -157,11 +157,11 @@ def _take(begin, end, room, known, asked, of_law, compliance, s):
                 s[PEAK] = max(s[PEAK], force[k])
         if rigid:
             room.impulses[(int(s[FIRST]) + k + 1) & (room.impulses.size - 1)] = s[IMPULSE]
-            if not pressed:
+            if not presses:
                 row = room.chatter[int(s[COUNT]) - 1]
                 row[LEAST] = min(row[LEAST], depth[k + 1])
     if rigid:
-        _resolve(known, int(s[FIRST]) + end, False, room.impulses, s)
+        _resolve(known, int(s[FIRST]) + end, ended, room.impulses, s)
     return True
 
 
@@ -258,9 +258,9 @@ def _flies(room, stride, s):
 
 
 @inner_kernel
-def _to(until, glow, law, asked, of_law, residual, bodies, damping, known, stride, room, s):
+def _to(until, most, glow, law, asked, of_law, residual, bodies, damping, known, stride, room, s):
     """March to an instant, window by window; whether there is room. On the way what is `glow` steps behind the last
-    contact is shown."""
+    contact is shown, and what is after `most` of them."""
     march, every = room.march, every_step(room.displacement)  # step of a window; flights are taken from its end on
     while s[DONE] < until:
         begin, seen, goal = int(s[DONE] - s[FIRST]), s[PARTED_AT] + glow, min(float(until), s[DONE] + glow)
@@ -271,14 +271,14 @@ def _to(until, glow, law, asked, of_law, residual, bodies, damping, known, strid
         end = int(min(goal - s[FIRST], float(march.record.contact_force.size)))
         march_on(law, residual, bodies, known.step, stride, march, every, begin, end)
         s[DONE] = s[FIRST] + end
-        if not _take(begin, end, room, known, asked, of_law, residual.compliance, s):
+        if not _take(begin, end, False, room, known, asked, of_law, residual.compliance, s):
             return False
         flies, seen = _flies(room, stride, s), s[PARTED_AT] + glow
         if flies or end == march.record.contact_force.size:
             _move_on(march.record, stride, s)
         if flies:
             _leap(room, damping, residual, known.step, stride, min(float(until), seen if s[DONE] < seen else np.inf), s)
-        if s[DONE] == seen and s[PRESSED] == 0.0:
+        if s[DONE] == most or (s[DONE] == seen and s[PRESSED] == 0.0):
             _show(room, bodies, damping, stride, s)
     return True
 
@@ -293,7 +293,7 @@ def _followed(most, room_for, asked_time, shown, law, asked, of_law, residual, b
     while s[DONE] < most:
         done, until = s[DONE], float(most) if asks else min(s[DONE] + chunk, float(most))
         if until > room_for or not _to(
-            until, glow, law, asked, of_law, residual, bodies, modes[2], known, stride, room, s
+            until, most, glow, law, asked, of_law, residual, bodies, modes[2], known, stride, room, s
         ):
             return False, False
         m, parted_at = int(s[DONE] - s[FIRST]), s[PARTED_AT] if s[PRESSED] == 0.0 else until
@@ -307,30 +307,26 @@ def _followed(most, room_for, asked_time, shown, law, asked, of_law, residual, b
                 return True, True
             if (until - touched) * known.step >= WATCHED_PERIODS * period:
                 return False, False
-    _show(room, bodies, modes[2], stride, s)
     return True, False
 
 
 @inner_kernel
-def _settle(room, known, asked, of_law, parted, s):
+def _settle(room, known, asked, of_law, compliance, parted, s):
     """Write the figures of a march that has ended: what of contacts is known in the end alone."""
-    (constants, lossy, rigid), record, m = of_law, room.march.record, int(s[DONE] - s[FIRST])
-    pressed = s[PRESSED] > 0.0
-    if pressed:
-        _ends(m, refer(cut(record, m)), room, known, asked, constants, rigid, s)
-    if lossy and not pressed:
+    (constants, lossy, rigid), m, pressed = of_law, int(s[DONE] - s[FIRST]), s[PRESSED] > 0.0
+    _take(m, m, True, room, known, asked, of_law, compliance, s)
+    if lossy and not pressed:  # a dashpot has used up the force before the dent has closed
         s[LOST] += asked(STORED, constants, s[DEPTH], 0.0, s[DEEPEST], room.march.slopes)
     s[DISSIPATED] += s[LOST]
-    if not rigid or s[COUNT] < 1.0:
+    if not rigid:
         return
-    _resolve(known, int(s[DONE]), True, room.impulses, s)
     opening, chatter = s[OPEN] * s[PEAK], room.chatter
     count = _joined(chatter, int(s[COUNT]), opening)
     if not parted and not pressed:
         opened, left = -chatter[count - 1, LEAST], (s[SHOWN] - s[PARTED_AT]) * known.step
         if left < known.window or 0.0 < opened <= opening:
             chatter[count - 1, ENDED] = s[SHOWN] * known.step
-    s[COUNT], s[TOUCHING], s[PARTING] = count, 0.0, chatter[count - 1, ENDED]
+    s[COUNT], s[PARTING] = count, chatter[count - 1, ENDED]
     for k in range(count):
         s[TOUCHING] += chatter[k, ENDED] - chatter[k, BEGUN]
 
@@ -371,5 +367,5 @@ def figures_of_beam(
     solved, parted = _followed(most, most_steps, asked_time, limits[1] * longest, *marched)
     if not solved or s[COUNT] < 1.0:
         return NO_ROOM, step
-    _settle(room, known, asked, of_law, parted, s)
+    _settle(room, known, asked, of_law, residual.compliance, parted, s)
     return SOLVED, step
