@@ -274,14 +274,22 @@ def cycle_of(record, step, law, asked, constants, slopes, until, deepest, drawn)
 
 
 @inner_kernel
-def step_of_beam(law, bodies, modes, series, longest):
-    """The usual step of what is struck across; series: compliance of the modes left out that a force acts through."""
-    (frequencies, at_contact, _), (mass, rigid_mass, whole, _), give = modes, bodies, 0.0
+def begun(law, bodies, modes, compliance, sudden, rigid, longest, asked_time, periods, march):
+    """Begin a march of what is struck across: its step, how many there are at most, and the modes left out."""
+    (frequencies, at_contact, damping), (mass, rigid_mass, whole, _), give = modes, bodies, 0.0
     for i in range(frequencies.size):
         give += (at_contact[i] / frequencies[i]) ** 2
+    series = 0.0 if rigid else compliance
     reduced, felt = 1.0 / (1.0 / mass + 1.0 / rigid_mass), 1.0 / (1.0 / mass + 1.0 / whole)
-    highest = frequencies[frequencies.size - 1]
-    return usual_step(law, series, reduced, 1.0, longest, longest, felt, give, highest, np.bool_(True))
+    highest, yes = frequencies[frequencies.size - 1], np.bool_(True)
+    step = usual_step(law, series, reduced, 1.0, longest, longest, felt, give, highest, yes)
+    most = int(np.ceil(periods * longest / step))
+    if asked_time > 0.0:
+        most = max(LEAST_STEPS, int(np.ceil(asked_time / step)))
+        step = asked_time / most
+    set_bank(frequencies, at_contact, frequencies, damping, step, march.bank)
+    at_rest(march.record, march.displacement, march.velocity)
+    return step, most, residual_spring(series, step, 2.0 * np.pi / highest, sudden[0], sudden[1])
 
 
 @inner_kernel
@@ -289,18 +297,10 @@ def _of_beam(
     law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, kept, contacts, out
 ):  # fmt: skip
     """March an impact across and write its figures; whether it is SOLVED, its step and how many there are."""
-    (frequencies, at_contact, damping), (constants, _, rigid) = modes, of_law
-    series, every = 0.0 if rigid else compliance, every_step(kept.displacement)
-    step, parted = step_of_beam(law, bodies, modes, series, longest), np.bool_(False)
-    most = int(np.ceil(limits[0] * longest / step))
-    if asked_time > 0.0:
-        most = max(LEAST_STEPS, int(np.ceil(asked_time / step)))
-        step = asked_time / most
-        if most > kept.record.contact_force.size:
-            return NO_ROOM, step, most
-    residual = residual_spring(series, step, 2.0 * np.pi / frequencies[frequencies.size - 1], sudden[0], sudden[1])
-    set_bank(frequencies, at_contact, frequencies, damping, step, kept.bank)
-    at_rest(kept.record, kept.displacement, kept.velocity)
+    (constants, _, rigid), every, parted = of_law, every_step(kept.displacement), np.bool_(False)
+    step, most, residual = begun(law, bodies, modes, compliance, sudden, rigid, longest, asked_time, limits[0], kept)
+    if asked_time > 0.0 and most > kept.record.contact_force.size:
+        return NO_ROOM, step, most
     if asked_time > 0.0:
         march_on(law, residual, bodies, step, stride, kept, every, 0, most)
     else:

@@ -14,10 +14,9 @@ from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts
 from .arrays import copy_to
-from .flights import Flights, _steps_apart, every_step
-from .modal_drawn import March, at_rest, cut, march_on, step_of_beam
-from .modal_steps import LEAST_STEPS
-from .oscillators import carried_to, residual_spring, ringing, set_bank
+from .flights import Flights, _steps_apart, every_step, set_flights
+from .modal_drawn import March, begun, cut, march_on
+from .oscillators import carried_to, ringing
 from .parting import WATCHED_PERIODS
 from .waves.drawn import NO_ROOM, SOLVED
 from .waves.laws import STORED
@@ -224,7 +223,7 @@ def _leap(room, damping, residual, step, stride, until, s):
     steps, bent = float(strides * stride), 0.0
     for i in range(q.size):
         cosine, sine = flights.cosine[i], flights.sine[i]
-        if strides > 1:
+        if strides > 1 or damping[i] > 0.0:
             cosine, sine = _turn(steps * flights.angle[i], damping[i])
         at[i], rate[i] = cosine * at[i] + sine * rate[i], cosine * rate[i] - sine * at[i]
         q[i] = bank.cosine[i] * at[i] + bank.sine[i] * rate[i]
@@ -271,7 +270,7 @@ def _to(until, most, glow, law, asked, of_law, residual, bodies, damping, known,
         end = int(min(goal - s[FIRST], float(march.record.contact_force.size)))
         march_on(law, residual, bodies, known.step, stride, march, every, begin, end)
         s[DONE] = s[FIRST] + end
-        if not _take(begin, end, False, room, known, asked, of_law, residual.compliance, s):
+        if not _take(begin, end, s[DONE] == most, room, known, asked, of_law, residual.compliance, s):
             return False
         flies, seen = _flies(room, stride, s), s[PARTED_AT] + glow
         if flies or end == march.record.contact_force.size:
@@ -311,10 +310,9 @@ def _followed(most, room_for, asked_time, shown, law, asked, of_law, residual, b
 
 
 @inner_kernel
-def _settle(room, known, asked, of_law, compliance, parted, s):
+def _settle(room, known, asked, of_law, parted, s):
     """Write the figures of a march that has ended: what of contacts is known in the end alone."""
-    (constants, lossy, rigid), m, pressed = of_law, int(s[DONE] - s[FIRST]), s[PRESSED] > 0.0
-    _take(m, m, True, room, known, asked, of_law, compliance, s)
+    (constants, lossy, rigid), pressed = of_law, s[PARTED_AT] == s[SHOWN]
     if lossy and not pressed:  # a dashpot has used up the force before the dent has closed
         s[LOST] += asked(STORED, constants, s[DEPTH], 0.0, s[DEEPEST], room.march.slopes)
     s[DISSIPATED] += s[LOST]
@@ -338,34 +336,23 @@ def figures_of_beam(
     """Figures alone of what is struck across, into `room.known`: see `modal_drawn.answer_of_beam`. Flights are
     taken at once, unless a contact is rigid; an impact of more than `most_steps` is refused. Returns SOLVED or NO_ROOM,
     and the step."""
-    room, (frequencies, at_contact, damping), (constants, _, rigid) = refer(room), modes, of_law
-    march, s = room.march, room.known
-    series = 0.0 if rigid else compliance
-    step = step_of_beam(law, bodies, modes, series, longest)
-    most = math.ceil(limits[0] * longest / step)
-    if asked_time > 0.0:
-        most = max(LEAST_STEPS, math.ceil(asked_time / step))
-        step = asked_time / most
-    window = 2.0 * np.pi / frequencies[frequencies.size - 1]
+    room, frequencies, (constants, _, rigid) = refer(room), modes[0], of_law
+    march, s, window = room.march, room.known, 2.0 * np.pi / frequencies[frequencies.size - 1]
+    step, most, residual = begun(law, bodies, modes, compliance, sudden, rigid, longest, asked_time, limits[0], march)
     if rigid and window / step > room.impulses.size - march.record.contact_force.size - 4.0:
         return NO_ROOM, step
-    residual = residual_spring(series, step, window, sudden[0], sudden[1])
     gives = 1.0 / constants[0] if rigid else residual.compliance
     # at its edges each contact is looked at by itself: what of rigid faces is chatter is known later
     no, yes = np.bool_(False), np.bool_(True)
     known = modal_contacts.Resolved(step, window, 0.0, yes, no, gives > 0.0, yes)
-    set_bank(frequencies, at_contact, frequencies, damping, step, march.bank)
-    at_rest(march.record, march.displacement, march.velocity)
     for k in range(COLUMNS):
         s[k] = 0.0
     room.impulses[0], s[OPEN] = 0.0, modal_contacts.LEAST_OPENING * gives
     s[FLYING] = 0.0 if rigid else 1.0
-    for i in range(frequencies.size):
-        room.flights.angle[i] = frequencies[i] * step
-        room.flights.cosine[i], room.flights.sine[i] = _turn(stride * room.flights.angle[i], damping[i])
+    set_flights(frequencies, step, stride, room.flights)
     marched = law, asked, of_law, residual, bodies, modes, known, stride, room, s
     solved, parted = _followed(most, most_steps, asked_time, limits[1] * longest, *marched)
     if not solved or s[COUNT] < 1.0:
         return NO_ROOM, step
-    _settle(room, known, asked, of_law, residual.compliance, parted, s)
+    _settle(room, known, asked, of_law, parted, s)
     return SOLVED, step
