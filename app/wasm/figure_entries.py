@@ -49,7 +49,8 @@ FINAL, TARGET, ENERGY, DISSIPATED, DEEPEST, PEAK, STRESS, TOUCHING, PARTING, TOU
 COLUMNS = 11
 TURNS = PIECES * (T + 2)  # of the wave that the struck end sends
 LAW_TURNS = 4 * STRETCHES
-BENT_STEPS = 4_000_000  # of an impact across: as many as the library takes of any
+# of an impact across: as many as the library takes of any; rigid faces, which never fly, take 1 to 2 s for them
+BENT_STEPS = 4_000_000
 BENT_STRIDE = 32  # from one checkpoint to the next: flights take whole ones
 WINDOW = 512  # steps that are kept of it: what a step needs of those before it lies within a stride
 RESOLVED = 2**17  # of rigid faces: steps of the highest mode's period; by two modes or more there are hardly as many
