@@ -6,7 +6,7 @@ import numpy as np
 from numba import carray
 
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
-from solvers.numerics import modal_contacts, modal_drawn
+from solvers.numerics import modal_contacts, modal_figures
 from solvers.numerics.flights import Flights
 from solvers.numerics.law_functions import CONSTANTS
 from solvers.numerics.polynomials import MAX_INTERVALS, RootWork, roots, shift, value
@@ -40,7 +40,7 @@ from solvers.numerics.waves.record import (
 from solvers.numerics.waves.rigid import Pieces, Work
 
 from .entry import ANY_LAW, FLAGS, INTEGERS, JUMPING, LOSES, REMEMBERS, Entry
-from .modal_entries import BEAM_CONTACTS, BEAM_MODES, law_of, march_room, room_of
+from .modal_entries import BEAM_MODES, law_of, march_room, room_of
 from .wave_entries import CONTACTS, PIECES, STRETCHES, TERMS, TOLERANCE, T, record_room
 
 # in T, v and Z v; energies in Z v v T. PEAK, STRESS: largest force, and largest stress along the rod, times its area;
@@ -49,8 +49,12 @@ FINAL, TARGET, ENERGY, DISSIPATED, DEEPEST, PEAK, STRESS, TOUCHING, PARTING, TOU
 COLUMNS = 11
 TURNS = PIECES * (T + 2)  # of the wave that the struck end sends
 LAW_TURNS = 4 * STRETCHES
-BENT_STEPS = 200_000  # of an impact across: of 150 random ones 2 take more, all of many contacts; the usual 60 000
+# of an impact across: as many as the library takes of any; rigid faces, which never fly, take 1 to 2 s for them
+BENT_STEPS = 4_000_000
 BENT_STRIDE = 32  # from one checkpoint to the next: flights take whole ones
+WINDOW = 512  # steps that are kept of it: what a step needs of those before it lies within a stride
+RESOLVED = 2**17  # of rigid faces: steps of the highest mode's period; by two modes or more there are hardly as many
+CHATTER = 500  # contacts of these that may be one: those within such a period are at once
 NEAR = 0.9  # of the highest so far: between nodes that are lower is nothing higher
 
 
@@ -289,33 +293,33 @@ def law_figures(
 
 def beam_figures(
     mass, rigid_mass, whole, mean, count, compliance, longest, duration, constants, shapes, oscillators, saved,
-    saved_rates, slopes, histories, runs, turning, contacts, figures, out,
+    saved_rates, slopes, histories, runs, turning, impulses, chatter, contact, known, out,
 ):  # fmt: skip
-    """A mass across what bends, by its modes, as by `beam`; but flights are taken at once."""
+    """A mass across what bends, by its modes, as by `beam`; but without histories, and flights are taken at once."""
     n = int(count)
     if n > BEAM_MODES:
         return NO_ROOM
     frequencies, at_contact, damping = carray(shapes, (3, n))
-    checkpoints, w = BENT_STEPS // BENT_STRIDE + 1, carray(turning, (3, n))
-    room = march_room(n, BENT_STEPS, checkpoints, saved, saved_rates, oscillators, slopes, histories, runs)
-    c, table = carray(constants, (CONSTANTS + 1,)), carray(contacts, (BEAM_CONTACTS, modal_drawn.CONTACT_COLUMNS))
-    (law, number, rigid), found = law_of(c, compliance), carray(figures, (modal_drawn.COLUMNS,))
-    status = modal_drawn.figures_of_beam(
+    w, s, checkpoints = carray(turning, (5, n)), carray(known, (modal_figures.COLUMNS,)), WINDOW // BENT_STRIDE + 1
+    room = modal_figures.Windowed(
+        march_room(n, WINDOW, checkpoints, saved, saved_rates, oscillators, slopes, histories, runs),
+        Flights(w[0], w[1], w[2]), w[3], w[4], carray(impulses, (RESOLVED,)),
+        carray(chatter, (CHATTER, modal_figures.CHATTERS)), carray(contact, (1, modal_contacts.COLUMNS)), s,
+    )  # fmt: skip
+    c = carray(constants, (CONSTANTS + 1,))
+    law, number, rigid = law_of(c, compliance)
+    status, step = modal_figures.figures_of_beam(
         law, ANY_LAW, (c, LOSES[number], rigid), (mass, rigid_mass, whole, mean), (frequencies, at_contact, damping),
         compliance, (JUMPING[number], REMEMBERS[number]), longest, duration, (MAX_ROUND_TRIPS, AFTERGLOW),
-        BENT_STRIDE, room, Flights(w[0], w[1], w[2]), table, found,
+        BENT_STEPS, BENT_STRIDE, room,
     )  # fmt: skip
     if status != SOLVED:
         return status
-    o, touches = carray(out, (COLUMNS,)), int(found[modal_drawn.CONTACTS])
-    o[FINAL], o[TARGET], o[ENERGY] = found[modal_drawn.FINAL], found[modal_drawn.TARGET], found[modal_drawn.STRUCK]
-    o[DISSIPATED], o[DEEPEST] = found[modal_drawn.DISSIPATED], found[modal_drawn.DEEPEST]
-    o[PEAK] = o[TOUCHING] = 0.0
-    for k in range(touches):
-        o[PEAK] = max(o[PEAK], table[k, modal_contacts.PEAK])
-        o[TOUCHING] += table[k, modal_contacts.END] - table[k, modal_contacts.START]
-    o[STRESS], o[PARTING] = np.nan, table[touches - 1, modal_contacts.END]
-    o[TOUCHES], o[SHOWN] = touches, found[modal_drawn.DURATION]
+    o = carray(out, (COLUMNS,))
+    o[FINAL], o[TARGET], o[ENERGY] = s[modal_figures.FINAL], mean * s[modal_figures.TARGET], s[modal_figures.STRUCK]
+    o[DISSIPATED], o[DEEPEST], o[PEAK] = s[modal_figures.DISSIPATED], s[modal_figures.DEEPEST], s[modal_figures.PEAK]
+    o[TOUCHING], o[PARTING], o[STRESS] = s[modal_figures.TOUCHING], s[modal_figures.PARTING], np.nan
+    o[TOUCHES], o[SHOWN] = s[modal_figures.COUNT], step * s[modal_figures.SHOWN]
     return SOLVED
 
 
@@ -373,10 +377,12 @@ FIGURE_ENTRIES = {
         beam_figures,
         8,
         {
-            **room_of(BEAM_MODES, BENT_STEPS, BENT_STEPS // BENT_STRIDE + 1),
-            "turning": 3 * BEAM_MODES,
-            "contacts": modal_drawn.CONTACT_COLUMNS * BEAM_CONTACTS,
-            "figures": modal_drawn.COLUMNS,
+            **room_of(BEAM_MODES, WINDOW, WINDOW // BENT_STRIDE + 1),
+            "turning": 5 * BEAM_MODES,
+            "impulses": RESOLVED,
+            "chatter": CHATTER * modal_figures.CHATTERS,
+            "contact": modal_contacts.COLUMNS,
+            "known": modal_figures.COLUMNS,
             "out": COLUMNS,
         },
         {"runs": INTEGERS},

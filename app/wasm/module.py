@@ -14,6 +14,7 @@ SOURCES = (
     "numerics/waves/law_drawn.py",
     "numerics/waves/chain_drawn.py",
     "numerics/modal_drawn.py",
+    "numerics/modal_figures.py",
     "numerics/spring_drawn.py",
     "numerics/compact_drawn.py",
     "numerics/balance_drawn.py",

@@ -12,7 +12,7 @@ from ..jit.clock import check_time
 from ..jit.kernels import inner_kernel, kernel
 from ..jit.reference import refer
 from . import modal_contacts
-from .flights import every_step, set_flights
+from .flights import every_step
 from .modal_steps import LEAST_STEPS, usual_step
 from .modes import half_period
 from .oscillators import Bank, Record, carried_to, march_in_place, rate_at, residual_spring, ringing, set_bank
@@ -156,7 +156,8 @@ def figures(asked, of_law, residual, bodies, modes, step, stride, record, room, 
 
 
 @inner_kernel
-def _march(law, residual, bodies, step, stride, room, flights, begin, end):
+def march_on(law, residual, bodies, step, stride, room, flights, begin, end):
+    """March from one instant to another; flights: which are taken at once."""
     record, bank = room.record, room.bank
     turning = bank.cosine, bank.sine, bank.turned_kick_displacement, bank.turned_kick_velocity
     oscillators, masses = (room.displacement, room.velocity), (bodies[0], bodies[1])
@@ -180,7 +181,7 @@ def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, cont
     set_bank(modes[0], modes[1], modes[0], modes[2], step, kept.bank)
     at_rest(kept.record, kept.displacement, kept.velocity)
     every = every_step(kept.displacement)
-    _march(law, residual, bodies, step, stride, kept, every, 0, kept.record.contact_force.size)
+    march_on(law, residual, bodies, step, stride, kept, every, 0, kept.record.contact_force.size)
     no = np.bool_(False)
     status = figures(asked, of_law, residual, bodies, modes, step, stride, kept.record, kept, no, no, contacts, out)
     _together(kept.record, of_law[2])
@@ -192,17 +193,17 @@ def answer(law, asked, of_law, residual, bodies, modes, step, stride, room, cont
 
 
 @inner_kernel
-def followed(law, of_law, residual, bodies, modes, step, stride, room, flights, most, afterglow, rings):
+def followed(law, of_law, residual, bodies, modes, step, stride, room, every, most, afterglow, rings):
     """March whole periods of the target until both have parted for good, see `parting`; how many steps are to be seen,
-    -1: no room, or they may touch again. As `Modal` does; of_law: `asked` and its constants; flights: which are taken
-    at once; rings: whether any body does.
+    -1: no room, or they may touch again. As `Modal` does; of_law: `asked` and its constants; every: step is marched;
+    rings: whether any body does.
     """
     record, chunk, done, touched = room.record, int(np.ceil(2.0 * np.pi / modes[0][0] / step)), 0, 0
     while done < most:
         until = min(done + chunk, most)
         if until > record.contact_force.size:
             return -1, np.bool_(False)
-        _march(law, residual, bodies, step, stride, room, flights, done, until)
+        march_on(law, residual, bodies, step, stride, room, every, done, until)
         last = until
         while last > 0 and record.contact_force[last - 1] == 0.0:
             last -= 1
@@ -273,40 +274,38 @@ def cycle_of(record, step, law, asked, constants, slopes, until, deepest, drawn)
 
 
 @inner_kernel
-def _of_beam(
-    law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, kept, flights, contacts,
-    out,
-):  # fmt: skip
-    """March an impact across and write its figures; whether it is SOLVED, its step and how many there are.
-
-    flights: room, (modes,) each, or empty; of what rings on undamped they are taken at once, unless a contact is rigid.
-    """
-    (frequencies, at_contact, damping), (mass, rigid_mass, whole, _) = modes, bodies
-    (constants, _, rigid), give = of_law, 0.0
+def begun(law, bodies, modes, compliance, sudden, rigid, longest, asked_time, periods, march):
+    """Begin a march of what is struck across: its step, how many there are at most, and the modes left out."""
+    (frequencies, at_contact, damping), (mass, rigid_mass, whole, _), give = modes, bodies, 0.0
     for i in range(frequencies.size):
         give += (at_contact[i] / frequencies[i]) ** 2
     series = 0.0 if rigid else compliance
     reduced, felt = 1.0 / (1.0 / mass + 1.0 / rigid_mass), 1.0 / (1.0 / mass + 1.0 / whole)
-    highest, no, yes = frequencies[frequencies.size - 1], np.bool_(False), np.bool_(True)
+    highest, yes = frequencies[frequencies.size - 1], np.bool_(True)
     step = usual_step(law, series, reduced, 1.0, longest, longest, felt, give, highest, yes)
-    most, parted = int(np.ceil(limits[0] * longest / step)), no
+    most = int(np.ceil(periods * longest / step))
     if asked_time > 0.0:
         most = max(LEAST_STEPS, int(np.ceil(asked_time / step)))
         step = asked_time / most
-        if most > kept.record.contact_force.size:
-            return NO_ROOM, step, most
-    residual = residual_spring(series, step, 2.0 * np.pi / highest, sudden[0], sudden[1])
-    set_bank(frequencies, at_contact, frequencies, damping, step, kept.bank)
-    at_rest(kept.record, kept.displacement, kept.velocity)
-    if rigid or damping[0] > 0.0:
-        flights = every_step(flights.angle)
-    else:
-        set_flights(frequencies, step, stride, flights)
+    set_bank(frequencies, at_contact, frequencies, damping, step, march.bank)
+    at_rest(march.record, march.displacement, march.velocity)
+    return step, most, residual_spring(series, step, 2.0 * np.pi / highest, sudden[0], sudden[1])
+
+
+@inner_kernel
+def _of_beam(
+    law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, kept, contacts, out
+):  # fmt: skip
+    """March an impact across and write its figures; whether it is SOLVED, its step and how many there are."""
+    (constants, _, rigid), every, parted = of_law, every_step(kept.displacement), np.bool_(False)
+    step, most, residual = begun(law, bodies, modes, compliance, sudden, rigid, longest, asked_time, limits[0], kept)
+    if asked_time > 0.0 and most > kept.record.contact_force.size:
+        return NO_ROOM, step, most
     if asked_time > 0.0:
-        _march(law, residual, bodies, step, stride, kept, flights, 0, most)
+        march_on(law, residual, bodies, step, stride, kept, every, 0, most)
     else:
-        shown, of_it = limits[1] * longest, (asked, constants)
-        most, parted = followed(law, of_it, residual, bodies, modes, step, stride, kept, flights, most, shown, yes)
+        shown, of_it, yes = limits[1] * longest, (asked, constants), np.bool_(True)
+        most, parted = followed(law, of_it, residual, bodies, modes, step, stride, kept, every, most, shown, yes)
         if most < 1:
             return NO_ROOM, step, most
     record = refer(cut(kept.record, most))
@@ -315,16 +314,6 @@ def _of_beam(
     )
     out[DURATION] = step * most
     return status, step, most
-
-
-@kernel
-def figures_of_beam(
-    law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits, stride, room, flights, contacts,
-    out,
-):  # fmt: skip
-    """Figures and contacts alone of what is struck across: see `answer_of_beam`; flights: room, (modes,) each."""
-    impact = law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits
-    return _of_beam(*impact, stride, refer(room), flights, contacts, out)[0]
 
 
 @kernel
@@ -339,9 +328,8 @@ def answer_of_beam(
     room for; drawn: `Bent`.
     """
     kept, (frequencies, at_contact, _), (constants, _, rigid) = refer(room), modes, of_law
-    every = every_step(kept.displacement)
     impact = law, asked, of_law, bodies, modes, compliance, sudden, longest, asked_time, limits
-    status, step, most = _of_beam(*impact, stride, kept, every, contacts, out)
+    status, step, most = _of_beam(*impact, stride, kept, contacts, out)
     if status != SOLVED:
         return status
     record = refer(cut(kept.record, most))

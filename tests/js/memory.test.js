@@ -25,6 +25,19 @@ test('memory grows with a beam and is given back, after which answers are the sa
   assert.deepEqual(kernels.beam(STRUCK, LAW), answer);
 });
 
+test('figures alone take little memory, of a beam no more however long it is followed', async () => {
+  const kernels = await kernelsOf(MODULE);
+  assert.ok(kernels.beamFigures(STRUCK, LAW));
+  const once = bytes(kernels);
+  assert.ok(once < 2e6, `${once} bytes`);
+  const { longest } = STRUCK.march;
+  assert.ok(kernels.beamFigures({ ...STRUCK, duration: 30 * longest }, LAW));
+  assert.equal(bytes(kernels), once);
+  assert.ok(kernels.figures(1, 1, { name: 'rigid', constants: [] }, 0, 0));
+  assert.ok(kernels.figures(1, 1, { name: 'linear', constants: [10] }, 0, 0));
+  assert.ok(4 * bytes(kernels) < 40e6, `${bytes(kernels)} bytes, in each of four workers`);
+});
+
 test('a kernel is left when its time is over, at once if it is already, and what follows is the same', async (t) => {
   const kernels = await kernelsOf(MODULE);
   const answer = kernels.beam(STRUCK, LAW);
