@@ -136,7 +136,7 @@ class Spread:
             able = [job for job in self._jobs if job.wants(now)]
             if not able:
                 return
-            job = min(able, key=lambda job: self._shares.place(job.visitor, now - job.asked))
+            job = min(able, key=lambda job: (len(job.under_way), *self._shares.place(job.visitor, now - job.asked)))
             start, stop = job.take(self._cluster.threads)
             sent = Sent(self, self._cluster, job, start, job.parts.part(start, stop))
             job.under_way[sent] = stop
