@@ -5,18 +5,25 @@ import os
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 from solvers.jit.compiling import NotCompiled, compiled_only
 from solvers.methods.base import never
 
-from ..views.whatif import whatif_data
+from ..choices.choices import Choices
+from ..views.whatif import EXAMPLE, POINTS, whatif_data
 
 LOOK = 0.2  # s between two looks whether it is still wanted
 END_WITHIN = 3.0  # s for a point to end that nobody wants any more
 COMPILE_SECONDS = 120.0  # for the kernels of a scene and a point of it
 _compiling = threading.Lock()
+
+
+def ready() -> None:
+    """Load what points need, so that the first of them need not wait for it."""
+    with suppress(NotCompiled), compiled_only():
+        whatif_data(Choices().chosen() | {POINTS: EXAMPLE})
 
 
 def found_there(asked: str) -> str:

@@ -21,7 +21,7 @@ from solvers.studies.study.cluster import Cluster, cluster_of
 from ..views.whatif import SECONDS
 from ..views.whatif_parts import Parts
 from .answers import Answers
-from .cluster_part import found_there
+from .cluster_part import found_there, ready
 from .fair import Shares
 from .loops import of_loop
 from .workers import QUICK
@@ -32,6 +32,7 @@ MOST_ROWS = 32  # of a part
 AHEAD = 2  # parts for each worker that are under way, of all visitors together
 PATIENCE = 5.0  # s for the first rows; then the page's own workers find them
 AGAIN = 30.0  # s until the cluster is tried again, after it was not reached, lost, or too slow for a visitor
+LOOK_SECONDS = 1.0  # between two looks whether it is there
 CLOSE_SECONDS = 2.5  # for the cluster to be left when the server stops
 log = logging.getLogger("strikewave")
 
@@ -42,7 +43,7 @@ class Spread:
     def __init__(self):
         self._loop = asyncio.get_running_loop()
         self._address, self._cluster, self._stopped = "", None, False
-        self._thread: SimpleQueue[Callable[[], None]] = SimpleQueue()
+        self._thread: SimpleQueue[Callable[[], Any] | None] = SimpleQueue()
         self._shares = Shares()
         self._jobs: list[SpreadJob] = []
         self._out: set[Sent] = set()
@@ -83,6 +84,7 @@ class Spread:
             left: asyncio.Future = self._loop.create_future()
             cluster, self._cluster = self._cluster, None
             self.do(lambda: (_close(cluster), self.tell(lambda: left.done() or left.set_result(None))))
+            self._thread.put(None)
             await asyncio.wait((left,), timeout=CLOSE_SECONDS)
 
     # --- the thread ---------------------------------------------------------------------------------------------------
@@ -97,14 +99,17 @@ class Spread:
             self._loop.call_soon_threadsafe(action)
 
     def _work(self) -> None:
-        while True:
-            self._thread.get()()
+        while (action := self._thread.get()) is not None:
+            action()
 
     def _reach(self) -> None:
         def reach() -> None:
+            cluster = None
             try:
                 cluster = cluster_of(self._address)
+                cluster.client.run(ready)
             except Exception as error:
+                _close(cluster)
                 self.tell(lambda why=error: self._not_there(why))
             else:
                 self.tell(lambda: self._there(cluster))
@@ -119,6 +124,20 @@ class Spread:
         if self._silent:
             log.warning("the cluster %s is there again", self._address)
         self._cluster, self._silent = cluster, False
+        self._watch(cluster)
+
+    def _watch(self, cluster: Cluster) -> None:
+        """Look now and then whether it is there: of parts that were on their way when it went nothing is heard."""
+
+        def look() -> None:
+            try:
+                cluster.check_there()
+            except SceneError as error:
+                self.tell(lambda why=error: self._lose(cluster, why))
+
+        if cluster is self._cluster and not self._stopped:
+            self.do(look)
+            self._loop.call_later(LOOK_SECONDS, self._watch, cluster)
 
     def _not_there(self, why: BaseException) -> None:
         if not self._silent:
@@ -214,6 +233,7 @@ class Sent:
             self._came(None, None)
             return
         try:
+            self.cluster.check_there()
             _ = self.cluster.workers  # counts them anew, now and then
             self._future = self.cluster.submit(found_there, self._asked)
         except Exception as error:

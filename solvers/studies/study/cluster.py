@@ -65,6 +65,11 @@ class Cluster:
             if there != self.here and not isinstance(there, OSError):  # of one that has ended meanwhile
                 raise self._refused(allowed("cluster-version", here=self.here, there=_said(there), worker=worker))
 
+    def check_there(self) -> None:
+        """Raises SceneError once its scheduler does not answer any more."""
+        if self.client.status != "running":
+            raise self._refused(allowed("cluster-lost"))
+
     def submit(self, work: Callable[..., Any], rows: Any) -> "Future[Any]":
         """Begin one part. What its worker refuses is a SceneError."""
         if id(work) not in self.packed:
@@ -239,14 +244,20 @@ def _quiet() -> Iterator[None]:
     """Dask logs nothing meanwhile: what is to be known is raised."""
     import_module("distributed")  # which sets up its loggers
     names = [name for name in logging.root.manager.loggerDict if name.partition(".")[0] == "distributed"]
-    before = {handler: handler.level for name in names for handler in logging.getLogger(name).handlers}
+    loggers = [logging.getLogger(name) for name in names]
+    before = {handler: handler.level for logger in loggers for handler in logger.handlers}
+    heard = [logger for logger in loggers if not logger.disabled]
     for handler in before:
         handler.setLevel(logging.CRITICAL + 1)
+    for logger in heard:  # whose lines may go to handlers of who has called
+        logger.disabled = True
     try:
         yield
     finally:
         for handler, level in before.items():
             handler.setLevel(level)
+        for logger in heard:
+            logger.disabled = False
 
 
 # What workers call goes there whole, as functions within functions do: their library may be another one.
