@@ -12,6 +12,7 @@ import threading
 import time
 from collections.abc import Callable, Hashable
 from contextlib import suppress
+from importlib import import_module
 from queue import SimpleQueue
 from typing import Any
 
@@ -52,6 +53,7 @@ class Spread:
 
     def connect(self, address: str) -> None:
         """Have this cluster find points from now on, as soon as it answers; until then nothing changes."""
+        _hush()
         self._address = address
         threading.Thread(target=self._work, name="cluster", daemon=True).start()
         self._reach()
@@ -68,7 +70,9 @@ class Spread:
 
     def _parts(self, asked: dict[str, Any], how: dict[str, Any]) -> Parts | None:
         visitor = how.get("visitor")
-        if self._cluster is None or not how.get("compiled", True) or self._slow.get(visitor, 0.0) > time.monotonic():
+        if self._cluster is None or not self._cluster.threads or not how.get("compiled", True):
+            return None
+        if self._slow.get(visitor, 0.0) > time.monotonic():
             return None
         with suppress(ValueError):  # which the page's own workers say
             parts = Parts(asked)
@@ -108,6 +112,7 @@ class Spread:
             try:
                 cluster = cluster_of(self._address)
                 cluster.client.run(ready)
+                _ = cluster.workers
             except Exception as error:
                 _close(cluster)
                 self.tell(lambda why=error: self._not_there(why))
@@ -132,8 +137,11 @@ class Spread:
         def look() -> None:
             try:
                 cluster.check_there()
+                _ = cluster.workers  # counts its threads anew
             except SceneError as error:
                 self.tell(lambda why=error: self._lose(cluster, why))
+            else:
+                self.tell(self.fill)
 
         if cluster is self._cluster and not self._stopped:
             self.do(look)
@@ -213,6 +221,13 @@ def points_started(work: Callable, asked: dict[str, Any], **how: Any) -> Any:
     return of_loop(Spread).start(work, asked, **how)
 
 
+def _hush() -> None:
+    """Of what Dask logs nothing can be acted on: what is to be known is said here, in a line."""
+    import_module("distributed")  # which sets up its loggers
+    for name in [name for name in logging.root.manager.loggerDict if name.partition(".")[0] == "distributed"]:
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+
+
 def _close(cluster: Cluster | None) -> None:
     if cluster is not None:
         with suppress(Exception):  # of a cluster that is gone
@@ -234,7 +249,6 @@ class Sent:
             return
         try:
             self.cluster.check_there()
-            _ = self.cluster.workers  # counts them anew, now and then
             self._future = self.cluster.submit(found_there, self._asked)
         except Exception as error:
             why = error if isinstance(error, SceneError) else SceneError("cluster", self.cluster.address, str(error))
