@@ -10,6 +10,7 @@ import logging
 import math
 import threading
 import time
+from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from contextlib import suppress
 from importlib import import_module
@@ -30,6 +31,7 @@ from .workers import QUICK
 LEAST_ROWS = 4  # of a question that is worth the way there
 PART_SECONDS = 0.1  # that a part is to take
 MOST_ROWS = 32  # of a part
+MOST_VISITORS = 1_000  # of whom it is remembered how long a row took
 AHEAD = 2  # parts for each worker that are under way, of all visitors together
 PATIENCE = 5.0  # s for the first rows; then the page's own workers find them
 AGAIN = 30.0  # s until the cluster is tried again, after it was not reached, lost, or too slow for a visitor
@@ -49,6 +51,7 @@ class Spread:
         self._jobs: list[SpreadJob] = []
         self._out: set[Sent] = set()
         self._slow: dict[Hashable, float] = {}  # visitors for whom it was too slow, and until when it is not asked
+        self._paces: OrderedDict[Hashable, float] = OrderedDict()  # of visitors, s that a row took last
         self._silent = False  # what is wrong stands in the log
 
     def connect(self, address: str) -> None:
@@ -64,6 +67,7 @@ class Spread:
         if parts is None:
             return of_loop(Answers).start(work, asked, **how)
         job = SpreadJob(self, parts, lambda: of_loop(Answers).start(work, asked, **how), how.get("visitor"))
+        job.pace = self._paces.get(job.visitor, math.inf)
         self._jobs.append(job)
         self.fill()
         return job
@@ -184,6 +188,10 @@ class Spread:
             self._shares.charge(job.visitor, seconds)
             if stop is not None:
                 job.found(sent.start, stop, seconds, found)
+                self._paces[job.visitor] = job.pace
+                self._paces.move_to_end(job.visitor)
+                if len(self._paces) > MOST_VISITORS:
+                    self._paces.popitem(last=False)
         self.fill()
 
     def leave(self, job: "SpreadJob") -> None:
@@ -279,7 +287,7 @@ class SpreadJob:
         self.under_way: dict[Sent, int] = {}  # and where each stops
         self._left = [(0, len(parts.rows))]  # spans, the first last
         self._found: dict[int, dict[str, Any]] = {}  # answers by their first row
-        self._pace = math.inf  # s that a row takes
+        self.pace = math.inf  # s that a row takes
         self._own: Any = None
         self._timers = [self.answer.get_loop().call_later(PATIENCE, spread.look, self)]
         self.answer.add_done_callback(lambda _: self._leave())
@@ -314,7 +322,7 @@ class SpreadJob:
             self._timers.append(self.answer.get_loop().call_later(2.0 * SECONDS, self.finish))
         start, stop = self._left.pop()
         share = math.ceil(sum(b - a for a, b in [*self._left, (start, stop)]) / workers)
-        middle = start + max(1, min(share, MOST_ROWS, int(PART_SECONDS / self._pace), stop - start))
+        middle = start + max(1, min(share, MOST_ROWS, int(PART_SECONDS / self.pace), stop - start))
         if middle < stop:
             self._left.append((middle, stop))
         return start, middle
@@ -325,7 +333,7 @@ class SpreadJob:
             self.finish() or self.by_own()
             return
         count = len(answer["rows"])
-        self._found[start], self._pace = answer, max(seconds / count, 1e-6)
+        self._found[start], self.pace = answer, max(seconds / count, 1e-6)
         if start + count < stop:
             self._left.append((start + count, stop))
             self._left.sort(reverse=True)
