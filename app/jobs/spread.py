@@ -153,8 +153,7 @@ class Spread:
 
     def _not_there(self, why: BaseException) -> None:
         if not self._silent:
-            text = f"it is tried again every {AGAIN:g} s"
-            log.warning("points of the map are found without the cluster, and %s (%s)", text, why)
+            log.warning("points of the map are found without the cluster, tried again every %g s (%s)", AGAIN, why)
         self._silent = True
         self._loop.call_later(AGAIN, self._reach)
 
