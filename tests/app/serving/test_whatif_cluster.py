@@ -57,7 +57,7 @@ def test_a_visitor_s_points_are_found_there_and_who_leaves_frees_it(cluster):
             await visitor.set(POINTS, question(number, ["mass_ratio"], ROWS))
             answer, changed = await answer_to(visitor, number)
             assert [row[0] for row in answer["rows"]] == [0] * len(answer["rows"]) and answer["rows"]
-            assert set(changed) <= {"whatif", "waiting"}
+            assert set(changed) <= {"whatif", "waiting", "frame"}  # the scene's own may come as late
         await visitor.set(POINTS, question(number + 1, ["mass_ratio"], ROWS))
         visitor.close()
 
