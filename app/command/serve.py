@@ -37,6 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--frame-origin", action="append", metavar="ORIGIN", help=frames)
     parser.add_argument("--lessons", metavar="FOLDER", help=text("help.serve.lessons"))
     parser.add_argument("--behind", action="append", metavar="ADDRESS[/BITS]", help=text("help.serve.behind"))
+    parser.add_argument("--cluster", metavar="ADDRESS|local:N", help=text("help.serve.cluster"))
     parser.add_argument("--warm", action="store_true", help=text("help.serve.warm"))
     parser.set_defaults(run=_run)
 
@@ -59,6 +60,9 @@ def _run(options: argparse.Namespace) -> int:
     documentation = os.environ.get("IMPACT_DOCUMENTATION", "")
     if documentation and not re.fullmatch(r"https?://[^\s/]+(/\S*)?", documentation):
         raise SceneError("IMPACT_DOCUMENTATION", documentation, text("wanted.documentation"))
+    cluster = os.environ.get("IMPACT_CLUSTER", "") if options.cluster is None else options.cluster
+    if cluster:
+        _check_cluster(cluster)
     from ..serving.addresses import network_of
 
     proxies = []
@@ -82,7 +86,16 @@ def _run(options: argparse.Namespace) -> int:
     if outdated():
         print(text("run.pack-out-of-date"), file=sys.stderr, flush=True)
 
-    return serve(int(port), address, origins, proxies, sockets, frames)
+    return serve(int(port), address, origins, proxies, sockets, frames, cluster)
+
+
+def _check_cluster(address: str) -> None:
+    from solvers.studies.study.cluster import check_address
+
+    try:
+        check_address(address)
+    except SceneError as error:
+        raise SceneError("--cluster", address, error.reason) from None
 
 
 def _lessons(folder: str) -> bool:

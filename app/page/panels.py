@@ -14,6 +14,7 @@ from ..choices.request import IN_VIEW
 from ..choices.scene_of import kind_name
 from ..jobs.long_run import LongRun
 from ..jobs.runner import Runner
+from ..jobs.spread import points_started
 from ..jobs.workers import Lost
 from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
@@ -55,7 +56,8 @@ class Panels(Questions):
         self._runners[IN_VIEW] = Runner(solve_frame, *self._reports(acts), visitor=self.visitor)
         self.param.watch(self._look_closer, IN_VIEW)
         acts = partial(setattr, self, "whatif"), self._refuse_points
-        self._runners[POINTS] = Runner(whatif_data, *self._reports(acts), visitor=self.visitor, stoppable=True)
+        how = {"visitor": self.visitor, "stoppable": True, "start": points_started}
+        self._runners[POINTS] = Runner(whatif_data, *self._reports(acts), **how)
         self.param.watch(self._ask_points, POINTS)
         acts = self.choose, self._refuse, partial(self._wait, with_body_value.__name__)
         self._lead("body_value", Runner(with_body_value, *self._reports(acts), visitor=self.visitor))

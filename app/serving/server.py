@@ -1,5 +1,6 @@
 """Serve the page: kernels warm, processes ready, answers safe, nothing else on the port."""
 
+import asyncio
 import contextlib
 import gc
 import logging
@@ -7,6 +8,7 @@ import secrets
 import signal
 import warnings
 from collections.abc import Sequence
+from importlib import import_module
 from socket import socket
 from typing import Any
 
@@ -20,6 +22,7 @@ from ..jobs.calibrating import calibrate_machine
 from ..jobs.compiler import COMPILER, HANG_SECONDS
 from ..jobs.loops import forget, of_loop
 from ..jobs.processes import prepare
+from ..jobs.spread import Spread
 from ..jobs.workers import Workers
 from ..text.catalogues import LANGUAGES, command
 from . import connections
@@ -36,11 +39,12 @@ def serve(
     proxies: list[Network],
     sockets: list[socket],
     frames: list[str],
+    cluster: str = "",
 ) -> int:
     """Serve until interrupted, on a port that is taken already. Prints the address once the page answers at once.
 
     `origins`: hosts by which browsers reach the page; `proxies`: of which `X-Forwarded-For` is believed; `frames`:
-    origins of other sites that may have the page in a frame.
+    origins of other sites that may have the page in a frame; `cluster`: address of one that finds points of maps.
     """
     most = connections.room()
     if not all_compiled().exists():
@@ -49,6 +53,9 @@ def serve(
     server = build(port, address, origins, proxies, sockets=sockets, frames=frames)
     connections.bound(server._http, most)
     server.start()
+    if cluster:
+        import_module("distributed")  # before what is loaded is frozen
+        server.io_loop.add_callback(lambda: of_loop(Spread).connect(cluster))
     gc.collect()
     gc.freeze()  # what is loaded stays: to look through it, as Panel does whenever visitors leave, took 0.2 s each time
     at = opened_at(port, address, origins, bool(proxies))
@@ -76,7 +83,7 @@ def stop(server: Any) -> None:
     loop = server.io_loop.asyncio_loop
 
     async def end() -> None:
-        await of_loop(Workers).close()
+        await asyncio.gather(of_loop(Spread).close(), of_loop(Workers).close())
 
     loop.run_until_complete(end())
     forget(loop)

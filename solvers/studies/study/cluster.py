@@ -65,6 +65,11 @@ class Cluster:
             if there != self.here and not isinstance(there, OSError):  # of one that has ended meanwhile
                 raise self._refused(allowed("cluster-version", here=self.here, there=_said(there), worker=worker))
 
+    def check_there(self) -> None:
+        """Raises SceneError once its scheduler does not answer any more."""
+        if self.client.status != "running":
+            raise self._refused(allowed("cluster-lost"))
+
     def submit(self, work: Callable[..., Any], rows: Any) -> "Future[Any]":
         """Begin one part. What its worker refuses is a SceneError."""
         if id(work) not in self.packed:
@@ -136,21 +141,41 @@ class Cluster:
             self._cancel()
 
 
+def check_address(said: str) -> None:
+    """Raises SceneError for what is no address of a cluster, and without Dask; whether anybody answers is not tried."""
+    _check_package(said)
+    if local := LOCAL.fullmatch(said):
+        good = 1 <= int(local[1]) <= MOST
+    else:
+        try:
+            address = urlsplit(said)
+            good = address.scheme in ("tcp", "tls") and address.hostname and address.port and not address.path
+        except ValueError:
+            good = False
+    if not good:
+        raise SceneError("cluster", said, allowed("cluster", most=MOST))
+
+
 def cluster_of(said: Any) -> Cluster:
     """Of `study`'s argument. Raises SceneError for what is none, and for one that does not answer or cannot be used."""
-    if find_spec("distributed") is None:
-        raise SceneError("cluster", said, allowed("cluster-package"))
     with ExitStack() as stack:
         if isinstance(said, str):
+            check_address(said)
             stack.enter_context(_quiet())
             client = _local(said, stack) if LOCAL.fullmatch(said) else _reached(said)
             stack.callback(client.close)
         else:
+            _check_package(said)
             client = _given(said)
         cluster = Cluster(client, said if isinstance(said, str) else client.scheduler.address, stack)
         cluster.check()
         cluster.end = stack.pop_all()
     return cluster
+
+
+def _check_package(said: Any) -> None:
+    if find_spec("distributed") is None:
+        raise SceneError("cluster", said, allowed("cluster-package"))
 
 
 def _given(client: Any) -> Any:
@@ -166,15 +191,12 @@ def _local(said: str, stack: ExitStack) -> Any:
     from dask.config import set as configured
     from distributed import Client, LocalCluster
 
-    count = int(said.partition(":")[2])
-    if not 1 <= count <= MOST:
-        raise SceneError("cluster", said, allowed("cluster", most=MOST))
     # Those that have ended begin again, however long that takes: after 15 s each is given up for good otherwise.
     stack.enter_context(configured({"distributed.deploy.lost-worker-timeout": PATIENCE}))
     # A process that ends has been ended by its point, as it has in `Processes`; pages are for those who ask for them.
     with configured({"distributed.scheduler.allowed-failures": 0, "distributed.scheduler.http.routes": []}):
         cluster = LocalCluster(
-            n_workers=count,
+            n_workers=int(said.partition(":")[2]),
             threads_per_worker=1,
             host="127.0.0.1",
             dashboard_address=None,  # pyright: ignore[reportArgumentType]
@@ -191,15 +213,9 @@ def _reached(said: str) -> Any:
     """A client of the scheduler at this address."""
     from distributed import Client
 
+    address = urlsplit(said)
     try:
-        address = urlsplit(said)
-        host, port = address.hostname, address.port
-    except ValueError:
-        host, port, address = None, None, urlsplit("")
-    if address.scheme not in ("tcp", "tls") or not host or not port or address.path:
-        raise SceneError("cluster", said, allowed("cluster", most=MOST))
-    try:
-        socket.create_connection((host, port), REACH).close()
+        socket.create_connection((address.hostname or "", address.port or 0), REACH).close()
         with ThreadPoolExecutor(1) as pool:  # as this thread may have a loop of its own, in a notebook
             pool.submit(asyncio.run, _greeted(said)).result()
         return Client(said, timeout=GREET, set_as_default=False, name=NAME)
@@ -228,14 +244,20 @@ def _quiet() -> Iterator[None]:
     """Dask logs nothing meanwhile: what is to be known is raised."""
     import_module("distributed")  # which sets up its loggers
     names = [name for name in logging.root.manager.loggerDict if name.partition(".")[0] == "distributed"]
-    before = {handler: handler.level for name in names for handler in logging.getLogger(name).handlers}
+    loggers = [logging.getLogger(name) for name in names]
+    before = {handler: handler.level for logger in loggers for handler in logger.handlers}
+    heard = [logger for logger in loggers if not logger.disabled]
     for handler in before:
         handler.setLevel(logging.CRITICAL + 1)
+    for logger in heard:  # whose lines may go to handlers of who has called
+        logger.disabled = True
     try:
         yield
     finally:
         for handler, level in before.items():
             handler.setLevel(level)
+        for logger in heard:
+            logger.disabled = False
 
 
 # What workers call goes there whole, as functions within functions do: their library may be another one.

@@ -12,6 +12,7 @@ from pytest import approx
 
 import solvers
 from app.command.main import main
+from solvers.studies.study import cluster
 from tests.app.command.calls import answer, refusal
 
 from ...patience import SECONDS
@@ -61,6 +62,7 @@ def test_version(capsys):
         ["serve", "--port", "9" * 5_000],
         ["serve", "--allow-origin", "http://a b/"],
         ["serve", "--allow-origin", "*"],
+        *(["serve", "--cluster", cluster] for cluster in ("nonsense", "local:0", "tcp://host", "http://host:8786")),
         *(
             ["serve", "--frame-origin", origin]
             for origin in (
@@ -82,6 +84,11 @@ def test_what_the_environment_sets_is_checked_too(capsys, monkeypatch):
     monkeypatch.setenv("IMPACT_PORT", "5006")
     monkeypatch.setenv("IMPACT_DOCUMENTATION", "javascript:alert(1)")
     assert "IMPACT_DOCUMENTATION: got 'javascript:alert(1)'" in refusal(capsys, "serve")
+    monkeypatch.setenv("IMPACT_DOCUMENTATION", "")
+    monkeypatch.setenv("IMPACT_CLUSTER", "local:many")
+    assert "--cluster: got 'local:many'; allowed: tcp://HOST:PORT" in refusal(capsys, "serve")
+    monkeypatch.setattr(cluster, "find_spec", lambda name: None)
+    assert "pip install 'strikewave[cluster]'" in refusal(capsys, "serve")
 
 
 @pytest.mark.slow
