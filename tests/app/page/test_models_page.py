@@ -91,6 +91,7 @@ def test_where_nothing_rings_it_says_so(show):
 def test_its_table_and_its_command_are_taken_along(show, tmp_path, capsys, monkeypatch):
     page = show(ROD, (1280, 720))
     open_models(page, OF_ROD)
+    page.wait(f"() => {MODELS}.view.lattice.count > 40")
     assert saved(page, "CSV", tmp_path / "models.csv").endswith("models.csv")
     lines = (tmp_path / "models.csv").read_text(encoding="utf-8").splitlines()
     rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
