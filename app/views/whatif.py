@@ -143,7 +143,7 @@ def whatif_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) ->
             request = Request.of(_with(chosen, given, moved))
             rows.append(_answer(request, points))
             if points.models and not more:
-                shown = shown_as(_solution(request, FREE).method)
+                shown = shown_as(_solution(request, FREE).method, request.scene)
                 more = {"models": models_of(request.scene), "shown": shown}
         except NotCompiled:
             raise

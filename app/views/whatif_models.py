@@ -6,7 +6,7 @@ from typing import Any
 
 from solvers import Modal, QuasiStatic, RigidImpulse, Scene, Solution
 from solvers.regimes.candidate import Candidate
-from solvers.regimes.solved import COUNTS, reference_of, solved_candidates
+from solvers.regimes.solved import COUNTS, mode_counts, reference_of, solved_candidates
 
 from ..text.refusals import Refused
 
@@ -20,16 +20,19 @@ Found = Callable[[Solution, tuple[str, ...]], dict[str, float | None]]
 
 
 def models_of(scene: Scene) -> list[dict[str, Any]]:
-    """From the smallest up: rigid bodies and springs, so many modes, and last what they are measured by."""
+    """From the smallest up: rigid bodies and springs, so many modes, and last what they are measured by, or more modes
+    than were tried; of a scene that has a reference."""
     reference = reference_of(scene, FINEST)
-    last = {"name": "more" if reference is None or reference.modes else "waves"}
+    assert reference is not None
+    tried = mode_counts(scene, reference, FINEST)[-1]
+    last = {"name": "more-than", "modes": tried} if reference.modes else {"name": "waves"}
     return [*({"name": name} for name in WHOLE), *({"name": "modal", "modes": count} for count in FEW), last]
 
 
-def shown_as(method: dict[str, Any]) -> int:
+def shown_as(method: dict[str, Any], scene: Scene) -> int:
     """Where the method of a solution stands among these, from 1; the last, where it is none of them."""
-    name, modes = method["name"], method.get("modes")
-    if name == Modal.NAME and modes and modes < FINEST:
+    name, modes, reference = method["name"], method.get("modes"), reference_of(scene, FINEST)
+    if name == Modal.NAME and modes and modes < ((reference and reference.modes) or FINEST):
         return len(WHOLE) + sum(count <= modes for count in FEW)
     called = {RigidImpulse.NAME: WHOLE[0], QuasiStatic.NAME: f"{method.get('model')}-{QuasiStatic.NAME}"}.get(name)
     return WHOLE.index(called) + 1 if called in WHOLE else MODELS

@@ -109,14 +109,21 @@ def _all_models(scene: Scene, reference: Reference, finest: int) -> Iterator[_Mo
         yield _Model("rigid-pendulum", {"impactor": rigid, "method": {"name": Waves.NAME}})
     if not is_solved(scene):
         yield _Model("structural-quasi-static", {"method": {"name": "quasi-static", "model": "structural"}})
-    known = scene.target.most_modes if isinstance(scene.target, Mechanism) else 0
-    most = finest if reference.modes is None else reference.modes
-    for count in sorted({known, most // 2} | {count for count in COUNTS if count < most // 2}):
-        if count:
-            own = _own_modes(scene, count) if count > known else {}
-            yield _Model("modal", own | {"method": {"name": "modal", "modes": count}}, count)
+    for count in mode_counts(scene, reference, finest):
+        own = _own_modes(scene, count) if count > _known(scene) else {}
+        yield _Model("modal", own | {"method": {"name": "modal", "modes": count}}, count)
     if reference.modes is None:
         yield _Model(Waves.NAME, {"method": {"name": Waves.NAME}})
+
+
+def mode_counts(scene: Scene, reference: Reference, finest: int = FINEST) -> list[int]:
+    """Numbers of modes that are tried, ascending: up to half of those of the reference, and as many as links have."""
+    most = finest if reference.modes is None else reference.modes
+    return sorted(({_known(scene), most // 2} | {count for count in COUNTS if count < most // 2}) - {0})
+
+
+def _known(scene: Scene) -> int:
+    return scene.target.most_modes if isinstance(scene.target, Mechanism) else 0
 
 
 def _own_modes(scene: Scene, count: int) -> dict[str, Any]:

@@ -120,7 +120,10 @@ export class ModelJobs {
     if (key === this.own.key) return null;
     this.own = { key, places: null };
     const job = this.#job(asked, Float64Array.from(asked.values), (found) => {
-      if (this.own.key === key && found && !found[0]) this.own.places = placesOf(found);
+      if (this.own.key !== key) return;
+      if (!found)
+        this.own.key = ''; // given up: it is asked for once more
+      else if (!found[0]) this.own.places = placesOf(found);
     });
     return { ...job, drawn: false };
   }

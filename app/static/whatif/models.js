@@ -59,11 +59,8 @@ export class Models {
   name(place) {
     const model = this.jobs.models[place - 1];
     if (!model) return '';
-    if (model.name === 'more') return text('whatif.more-modes', { modes: this.#most });
+    if (model.name === 'more-than') return text('whatif.more-modes', { modes: model.modes ?? 0 });
     return model.modes ? text('whatif.modes', { modes: model.modes }) : SHORT[model.name];
-  }
-  get #most() {
-    return Math.max(0, ...this.jobs.models.map(({ modes }) => modes ?? 0));
   }
   /** What is asked for, of the scene as it is chosen. */
   get #asked() {
