@@ -11,17 +11,18 @@ export const DECIMAL =
  */
 export const localised = (number) => (DECIMAL === '.' ? number : number.replace('.', DECIMAL));
 
+const GROUPED = new Intl.NumberFormat(language); // made once, as are others below: that takes longer than to use it
 /**
  * Thousands apart.
  * @param {number} value
  */
 export function grouped(value) {
-  const written = value.toLocaleString(language);
+  const written = GROUPED.format(value);
   return DECIMAL === '.' ? written : written.replaceAll('.', '\u202f'); // which would be read as a decimal sign
 }
 
 /** @type {Record<number, Intl.NumberFormat>} */
-const FORMATS = {}; // made once for each number of digits: to make one takes longer than to use it
+const FORMATS = {}; // for each number of digits
 /** @param {number} digits */
 const formatOf = (digits) =>
   (FORMATS[digits] ??= new Intl.NumberFormat(language, { maximumSignificantDigits: digits, useGrouping: false }));

@@ -157,7 +157,7 @@ export class MapJobs {
     const { view } = this;
     const { modes, points, x, y } = this.whatif;
     if (!view) return modes.rest();
-    if (!view?.lattice.left.size || !points.serves || !points.base || !x || !y) return null;
+    if (!view?.lattice.left.size || this.partly || !points.serves || !points.base || !x || !y) return null;
     const { lattice } = view;
     const places = (/** @type {number[]} */ [a, b]) => [placeOf(view.axes.x, a), placeOf(view.axes.y, b)];
     const here = places([this.whatif.value(x), this.whatif.value(y)]);

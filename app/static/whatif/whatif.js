@@ -1,6 +1,7 @@
 // What if …: the scene as a point on a map over two choices. The picture lives on beside it; whatever is moved, point,
 // slider or axis, thousands of impacts follow.
 import { make, write } from '../browser/dom.js';
+import { inTurn } from '../browser/turns.js';
 import { sizeOf } from '../charts/canvas.js';
 import { grouped } from '../text/format.js';
 import { text } from '../text/catalogue.js';
@@ -59,7 +60,8 @@ export class WhatIf {
   painted = ''; // what the map shows
   open = false;
   grip = new Grip(() => this.schedule());
-  due = 0;
+  due = false; // whether it waits to be drawn, and that
+  turn = () => this.draw();
   /** @type {number | undefined} */ streaming;
 
   /**
@@ -210,7 +212,7 @@ export class WhatIf {
     this.schedule();
   }
   schedule() {
-    if (this.open) this.due ||= requestAnimationFrame(() => this.draw());
+    if (this.open) this.due = inTurn(this.turn);
   }
   /** Impacts have come in: shown at once where they are waited for, else some times a second. */
   came() {
@@ -221,12 +223,11 @@ export class WhatIf {
   #lattice() {
     const { named } = this;
     const others = Object.entries(this.chosen).filter(([name]) => name !== named.x && name !== named.y);
-    const key = JSON.stringify([named.x, named.y, this.points.source === this.points.own, others]);
-    return this.lattices.get(key);
+    return this.lattices.get(JSON.stringify([named.x, named.y, this.points.source === this.points.own, others]));
   }
   /** All that follows. */
   draw() {
-    this.due = 0;
+    this.due = false;
     const { plane, points, x, y } = this;
     const { shown } = this.modes;
     if (!this.open || !points.ready || !(shown ?? plane).measure()) return;

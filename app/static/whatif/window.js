@@ -44,6 +44,7 @@ export class Window {
     };
     const [across, up] = [along(axes.x0, axes.x1, size[0]), along(axes.y0, axes.y1, size[1])];
     this.steps = [across.step, up.step];
+    this.units = this.steps.map((step) => step * 2 ** FINEST); // steps of the finest level
     this.first = [across.first, up.first];
     this.nx = across.count;
     this.ny = up.count;
@@ -54,8 +55,7 @@ export class Window {
    * @param {number} j
    */
   key(i, j) {
-    const [x, y] = this.steps.map((step) => step * 2 ** FINEST);
-    return (i + this.first[0]) * x * ROW + (j + this.first[1]) * y;
+    return (i + this.first[0]) * this.units[0] * ROW + (j + this.first[1]) * this.units[1];
   }
   /**
    * Place in the plot, 0 to 1 each, of a point.

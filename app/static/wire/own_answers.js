@@ -2,6 +2,7 @@
 // app/static/wasm. The server is asked once the hand rests, and its answer, with all that it knows besides, follows.
 import { carried } from '../browser/home.js';
 import { late } from '../browser/late.js';
+import { inTurn } from '../browser/turns.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Page } from '../page.js' */
@@ -19,7 +20,8 @@ const PAUSE = 2000; // ms for which the server answers alone, after an answer th
 export class OwnAnswers {
   /** @type {Answers | null} */ answers = null; // until they are there, and for good where they cannot be
   count = 0; // of pictures that were answered so
-  due = 0; // the next picture, by the number of its request
+  due = false; // whether the next picture waits for its turn
+  #turn = () => this.#draw();
   /** @type {WeakSet<Frame>} */ made = new WeakSet();
   /** @type {Frame | null} */ whole = null; // the last answer of the server that is no draft
   beyond = ''; // choices that cannot be answered here after all
@@ -82,7 +84,7 @@ export class OwnAnswers {
     const { latest } = this.page.changes;
     if (latest && !this.#changed(latest).length) this.restore(); // the hand has come back to what is answered
     if (!this.#base) return 0;
-    this.due ||= requestAnimationFrame(() => this.#draw());
+    this.due = inTurn(this.#turn);
     return REST;
   }
   /**
@@ -95,7 +97,7 @@ export class OwnAnswers {
     const { chosen, kind } = this.page.frame ?? {};
     if (frame.kind !== kind || frame.chosen.scene !== chosen?.scene) return false; // all is laid out anew for another
     if (this.refused || !this.#changed(frame).length || !this.#base) return false;
-    this.due ||= requestAnimationFrame(() => this.#draw());
+    this.due = inTurn(this.#turn);
     return true;
   }
   /** Show the server's last answer in place of one that was found here, and its choices. */
@@ -119,7 +121,7 @@ export class OwnAnswers {
     }
   }
   #draw() {
-    this.due = 0;
+    this.due = false;
     const { page } = this;
     const { changes } = page;
     if (!this.#changed(changes.latest).length) this.restore(); // the hand has come back to what the server has answered
