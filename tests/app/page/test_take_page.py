@@ -39,8 +39,9 @@ PLAYED = """async (data) => {
     c.drawImage(film, 0, 0, 64, 64);
     return [...c.getImageData(0, 0, 64, 64).data];
   };
-  const [first, later, last] = [await at(0.1), await at(1.5), await at(1e6)];
-  return { first, later, last, seconds: film.currentTime, size: [film.videoWidth, film.videoHeight] };
+  const pictures = [];
+  for (const time of [0.1, 0.5, 1, 1.5, 2, 2.5, 1e6]) pictures.push(await at(time));
+  return { pictures, seconds: film.currentTime, size: [film.videoWidth, film.videoHeight] };
 }"""
 
 
@@ -100,8 +101,8 @@ def test_a_clip_shows_the_stretch_in_view_once(open_page, tmp_path):
     cinema = page.context.new_page()  # of no address: the policy of the page lets it play nothing
     found = cinema.evaluate(PLAYED, film)
     cinema.close()
-    first, later, last = (np.array(found[name], float) for name in ("first", "later", "last"))
-    assert np.abs(first - later).max() > 20 and np.abs(later - last).max() > 20  # it moves
+    changes = np.abs(np.diff(np.array(found["pictures"], float), axis=0)).max(axis=1)
+    assert np.sum(changes > 20) >= 2  # it moves; a busy machine leaves pictures out
     assert 3 < found["seconds"] < 8
     width, height = page.evaluate(SIZE)
     assert found["size"][0] / found["size"][1] == pytest.approx((width + 32) / (height + 52), rel=0.02)
