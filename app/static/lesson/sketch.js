@@ -230,6 +230,9 @@ export class Sketch {
   }
   #enable() {
     this.#call();
+    const [undo, clear] = /** @type {HTMLButtonElement[]} */ ([...this.tools.children]);
+    undo.disabled = !this.drawn.undone.length;
+    clear.disabled = !this.drawn.begun;
     this.show_.disabled = !this.whole;
     this.hint.textContent = this.whole || !this.measured ? '' : this.drawOn;
   }

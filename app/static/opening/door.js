@@ -71,6 +71,10 @@ export class Door {
   take() {
     if (this.opened) this.whatif?.take();
   }
+  /** The picture beside it was drawn anew. */
+  drawn() {
+    if (this.opened) this.whatif?.goal.force.follow();
+  }
   /**
    * W opens it, Escape leads back.
    * @param {KeyboardEvent} event

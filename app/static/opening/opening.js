@@ -335,6 +335,7 @@ export class Opening {
   show(t) {
     if (!this.leads) return;
     if (this.due) this.section.draw(this.shown);
+    if (this.due) this.door.drawn();
     if (this.due && !this.answered) this.happens.place();
     this.due = false;
     this.section.show(t);

@@ -77,6 +77,8 @@ export class Section {
   /** @type {(Series & { trip: number })[]} */ first = []; // the force of before
   called = ''; // what the first is called beside them
   words = new Words(); // that are not paler before their time
+  /** @type {[x: number, y: number] | null} */ dot = null; // at the peak
+  pulled = false; // the peak, by a hand: the scale stays
   /** @type {{ track: Track, place: Place }[]} */ tracks = [];
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
 
@@ -116,6 +118,7 @@ export class Section {
       if (!this.besides.length) shown = { ...shown, by: [] }; // a lesson about one solution does not weigh it
     }
     this.shown = shown;
+    this.dot = null;
     this.root.hidden = !shown;
     this.page.root.classList.toggle('rowless', !shown);
     const sheet = shown && cleared(this.below, this.root);
@@ -183,7 +186,7 @@ export class Section {
     for (const { factor = 1, y } of this.lone ? [first, ...others] : [first])
       for (let k = 0; k < y.length; k++) peak = Math.max(peak, factor * y[k]);
     const share = peak / (TRACK.most * this.most);
-    if (hand && share > KEEP[0] && share <= KEEP[1]) return;
+    if (this.pulled || (hand && share > KEEP[0] && share <= KEEP[1])) return;
     this.most = (peak || 1) / TRACK.most;
   }
   /**
@@ -307,7 +310,12 @@ export class Section {
     c.font = letters(tall / zoom, '600 ');
     const { font } = c;
     const wide = c.measureText(words).width + 8;
-    const [at, down] = [this.x(y[most] * factor), this.y(x[most])];
+    const [at, down] = (this.dot = [this.x(y[most] * factor), this.y(x[most])]);
+    c.fillStyle = c.strokeStyle = COLORS.ink;
+    c.beginPath();
+    c.arc(at, down, 3.5, 0, 7);
+    c.fill();
+    if (this.pulled) return; // what is wanted is written there
     const edge = this.tracks.length ? this.box.track : TRACK.least;
     const beside = at - wide >= edge;
     const left = beside ? at - wide : Math.max(Math.min(edge, base - wide), this.tracks.length ? edge : 4 * zoom);
@@ -325,15 +333,11 @@ export class Section {
     const ink = others.some(({ cursor }) => cursor) ? STYLES[style].color : COLORS.ink; // whose it is, of several
     this.words.say(words, side, top + 0.85 * tall, ink, font);
     this.words.say(text('opening.peak'), side, top + tall + 0.75 * LABEL.line * zoom, COLORS.faint);
-    c.fillStyle = c.strokeStyle = COLORS.ink;
     c.lineWidth = 0.5;
     c.beginPath();
     if (found === far) c.moveTo(left + wide / 2, far > down ? far : far + high);
     c.lineTo(at, down);
     c.stroke();
-    c.beginPath();
-    c.arc(at, down, 3.5, 0, 7);
-    c.fill();
   }
   /**
    * The instant of the clock: what is to come is paler.

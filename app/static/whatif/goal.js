@@ -5,6 +5,7 @@ import { NumberField } from '../form/number_field.js';
 import { pretty } from '../text/format.js';
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
+import { ForcePull } from './force_pull.js';
 import { COLOR, disc, mark } from './ink.js';
 import { placeOf, valueAt, writtenOn } from './places.js';
 import { Seek, nearestTo } from './seek.js';
@@ -62,6 +63,7 @@ export class Goal {
     this.second.append(this.roots);
     this.root = make('section', { className: 'whatif-goal' }, first, this.number.wrong, this.second, this.box);
     this.root.ariaLabel = text('whatif.wanted');
+    this.force = new ForcePull(this);
   }
   /** @returns {Axis | undefined} */
   get axis() {
@@ -127,12 +129,20 @@ export class Goal {
     this.pulling.ask({ axis, result: whatif.result, wanted, chosen: whatif.chosen, fixed });
     whatif.points.feed();
   }
+  /**
+   * Another value is wanted, and what gives way goes there at once.
+   * @param {number} value
+   */
+  go(value) {
+    this.want(value);
+    this.pull([]);
+  }
   /** @param {Sought} sought */
   #pulled(sought) {
     const { axis } = sought.asked;
     const place = nearestTo(sought, placeOf(axis, this.whatif.value(axis)));
     if (place !== null) this.whatif.set([[axis, Number(valueAt(axis, place).toPrecision(6))]]);
-    else this.roots.replaceChildren(text('whatif.not-there'));
+    else if (sought.asked.fixed.length) this.roots.replaceChildren(text('whatif.not-there')); // else all are listed
   }
   /** @param {Sought} sought */
   #take(sought) {
@@ -165,6 +175,7 @@ export class Goal {
       this.choice.replaceChildren(...options.map(([value, words]) => make('option', { value, textContent: words })));
     }
     this.choice.value = this.gives;
+    this.force.follow();
     if (wanted === null || !axis || !sought || sought.asked.axis.name !== axis.name) {
       this.roots.replaceChildren(this.seek.idle ? '' : text('whatif.seeking'));
       this.roots.dataset.known = '';

@@ -94,7 +94,7 @@ export class WhatIf {
     this.work = new ServerWork(this);
     const now = make('div', { className: 'whatif-now' }, this.status, this.work.root);
     this.foot = make('div', { className: 'whatif-foot' }, now, this.borders.root, this.words);
-    this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side];
+    this.parts = [this.head, this.plane.root, ...this.modes.parts, this.foot, this.side, this.goal.force.root];
     this.hands = new Hands(this, this);
     this.spoken = new MapWords(this);
   }
@@ -133,6 +133,7 @@ export class WhatIf {
   }
   leave() {
     this.open = false;
+    this.goal.force.leave();
     this.clear();
     this.gains.leave();
     this.points.leave();

@@ -65,7 +65,12 @@ def test_a_rough_line_by_mouse_is_right_and_the_map_shows_its_colours_behind_it(
     assert above == below and not findings(page)
     shown = button(page, "Show what happens")
     expect(shown).to_be_disabled()
+    undo, clear = button(page, "Undo"), button(page, "Clear")
+    expect(undo).to_be_disabled()
+    expect(clear).to_be_disabled()
     drawn(page, ROUGH)
+    expect(undo).to_be_enabled()
+    expect(clear).to_be_enabled()
     assert page.evaluate(COLOURS) == [above, below]
     shown.click()
     page.frames_pass(3)
