@@ -159,7 +159,8 @@ export class Borders {
       return { words: count < 0 ? text('whatif.refused') : many, where };
     });
     const same = said.length === 2 && said[0].words === said[1].words;
-    if (same) said.splice(0, 2, { ...said[0], where: text('whatif.border-or', said.map(({ where }) => where)) });
+    const [one, other] = said.map(({ where }) => where);
+    if (same) said.splice(0, 2, { ...said[0], where: text('whatif.border-or', { one, other }) });
     return { axis: nameOf(axis), sides: said.map((each) => text('whatif.border-side', each)).join(', ') };
   }
 }
