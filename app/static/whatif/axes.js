@@ -132,13 +132,16 @@ function endsOf({ high, low, own, quantity, value }, parts) {
   return { low: Math.max(low, Math.min(ends[0], value)), high: Math.min(high, Math.max(ends[1], value)) };
 }
 
+/** @param {string} name  whether it says how stiff the contact is */
+export const isStiffness = (name) => name.endsWith('stiffness');
+
 /**
  * Names of axes, in the order in which they are taken where nobody has chosen any; none that is whole.
  * @param {Axis[]} axes
  */
 export function usualFirst(axes) {
   const known = axes.filter(({ whole }) => !whole).map(({ name }) => name);
-  const stiff = known.filter((name) => name.endsWith('stiffness'));
+  const stiff = known.filter(isStiffness);
   const usual = new Set(['mass_ratio', ...stiff, ...FIRST, ...known]);
   return [...usual].filter((name) => known.includes(name));
 }

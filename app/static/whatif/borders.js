@@ -1,8 +1,8 @@
-// Where a contact is gained or lost, in numbers: the change that is nearest to the scene, across, and the one whose
-// line is under a pointer. Both are sought with the steps of the page's own answers, not with those of colours.
+// Where a contact is gained or lost, in numbers: the changes that are nearest to the scene along both axes, and the one
+// whose line is under a pointer. Both are sought with the steps of the page's own answers, not with those of colours.
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
-import { CurveJobs, countOf } from './curve_jobs.js';
+import { CurveJobs, askedOver, countOf } from './curve_jobs.js';
 import { MANY, counted } from './lattice.js';
 import { longOf, placeOf, roundAt, sureOf, writtenOn } from './places.js';
 import { nameOf } from './sentence.js';
@@ -41,29 +41,30 @@ const shortOf = (count) => (count < MANY ? String(count) : `${MANY}+`);
 export class Borders {
   root = make('p', { className: 'whatif-border' });
   /** @type {Pointed | null} */ pointed = null;
-  key = ''; // of what is sought across
+  keys = ['', '']; // of what is sought along both axes
   silent = false; // where students are to find it
 
   /** @param {WhatIf} whatif */
   constructor(whatif) {
     this.whatif = whatif;
-    this.across = new CurveJobs(() => whatif.came());
+    this.searches = [0, 1].map(() => new CurveJobs(() => whatif.came())); // across and upwards
     this.near = new CurveJobs(() => this.say());
   }
   /** The scene may have moved: seek again, once it lies still. */
   follow() {
-    const { held, modes } = this.whatif;
+    const { whatif } = this;
+    const { held, x, y } = whatif;
     if (this.silent) return;
-    const asked = { ...modes.curves.asked, most: MANY };
-    this.key = asked.key;
-    if (!held) this.across.ask(asked);
+    const both = [askedOver(whatif, x, y), askedOver(whatif, y, x)].map((asked) => ({ ...asked, most: MANY }));
+    this.keys = both.map(({ key }) => key);
+    if (!held) this.searches.forEach((search, k) => search.ask(both[k]));
     this.say();
   }
   /** The map is gone. */
   rest() {
     this.pointed = null;
     this.near.ask(null);
-    this.across.ask(null);
+    for (const search of this.searches) search.ask(null);
     write(this.root, '');
   }
   /**
@@ -101,11 +102,18 @@ export class Borders {
     const [axis, other] = found.way ? [y, x] : [x, y];
     const [place, beside] = found.way ? [places[1], places[0]] : places;
     const value = roundAt(other, beside);
-    const key = JSON.stringify([this.key, axis.name, value, found.pair]);
+    const key = JSON.stringify([this.keys, axis.name, value, found.pair]);
     return { key, axis, other, value, place, pair: found.pair };
   }
+  get idle() {
+    return this.searches.every(({ idle }) => idle);
+  }
+  /** @param {number} many  impacts */
+  next(many) {
+    return this.searches[0].next(many) ?? this.searches[1].next(many);
+  }
   say() {
-    write(this.root, this.pointed ? this.#pointedAt(this.pointed) : this.#across());
+    write(this.root, this.pointed ? this.#pointedAt(this.pointed) : this.#nearest());
   }
   /** @param {Pointed} pointed */
   #pointedAt({ axis, key, other, pair, place, value }) {
@@ -121,25 +129,39 @@ export class Borders {
     ];
     return text('whatif.border', { before, after, count: pair[1], where: where?.join(', ') ?? '…' });
   }
-  /** The nearest change across. */
-  #across() {
-    const { whatif } = this;
-    const { shown } = this.across;
-    if (!shown?.whole || shown.asked.key !== this.key) return '';
+  /** The nearest changes along both axes. */
+  #nearest() {
+    const [x, y] = this.searches.map((search, k) => this.#along(search, this.keys[k]));
+    if (!x || !y) return '';
+    const found = [x, y].filter(({ sides }) => sides);
+    if (!found.length) return text('whatif.no-border', { axes: [x, y].map(({ axis }) => axis).join(', ') });
+    return found.map((each) => text('whatif.border-along', each)).join(' · ');
+  }
+  /**
+   * The nearest change to each side of the scene, the nearer one first.
+   * @param {CurveJobs} search
+   * @param {string} key  of what is sought
+   */
+  #along({ shown }, key) {
+    if (!shown?.whole || shown.asked.key !== key) return null;
     const { axis } = shown.asked;
-    const here = placeOf(axis, whatif.value(axis));
+    const here = placeOf(axis, this.whatif.value(axis));
     const far = (/** @type {Change} */ change) => Math.abs(middleOf(change) - here);
-    const [change] = (shown.changes ?? []).toSorted((a, b) => far(a) - far(b));
-    const on = (/** @type {string} */ words) => `${words} ${axis.unit}`.trim();
-    const said = { axis: nameOf(axis) };
-    if (!change) return text('whatif.no-border', said);
-    const [before, after] = pairOf(change);
-    const below = middleOf(change) < here;
-    const count = below ? before : after;
-    const many = text(count >= MANY ? 'whatif.many-contacts' : 'whatif.contacts', { count });
-    const words = count < 0 ? text('whatif.refused') : many;
-    const value = on(sureOf(axis, change.low, change.high));
-    return text('whatif.border-across', { ...said, way: below ? 'below' : 'above', value, words });
+    const nearest = (shown.changes ?? []).toSorted((a, b) => far(a) - far(b));
+    const below = (/** @type {Change} */ change) => middleOf(change) < here;
+    const sides = nearest.filter((change) => nearest.find((each) => below(each) === below(change)) === change);
+    const said = sides.map((change) => {
+      const [before, after] = pairOf(change);
+      const count = below(change) ? before : after;
+      const many = text(count >= MANY ? 'whatif.many-contacts' : 'whatif.contacts', { count });
+      const value = `${sureOf(axis, change.low, change.high)} ${axis.unit}`.trim();
+      const where = text('whatif.border-where', { way: below(change) ? 'below' : 'above', value });
+      return { words: count < 0 ? text('whatif.refused') : many, where };
+    });
+    const same = said.length === 2 && said[0].words === said[1].words;
+    const [one, other] = said.map(({ where }) => where);
+    if (same) said.splice(0, 2, { ...said[0], where: text('whatif.border-or', { one, other }) });
+    return { axis: nameOf(axis), sides: said.map((each) => text('whatif.border-side', each)).join(', ') };
   }
 }
 

@@ -34,6 +34,21 @@ const LOST = 8; // jobs, after which what they were about counts as refused
  */
 
 /**
+ * All results over one axis, where the scene is on the other.
+ * @param {import('./whatif.js').WhatIf} whatif
+ * @param {Axis} axis
+ * @param {Axis} other
+ * @returns {Asked}
+ */
+export function askedOver(whatif, axis, other) {
+  const { chosen, points } = whatif;
+  const [from, to] = whatif.range(axis);
+  const others = Object.entries(chosen).filter(([name]) => name !== axis.name);
+  const key = JSON.stringify([others, axis, from, to, points.source === points.own, other.name]);
+  return { key, axis, from, to, fixed: [[other.name, whatif.value(other)]], chosen };
+}
+
+/**
  * The number of contacts; −1 where nothing can be computed.
  * @param {Float64Array} found
  * @param {number} [at]  where its row begins

@@ -3,7 +3,7 @@
 import { cleared, letters, scale } from '../charts/canvas.js';
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
-import { CurveJobs } from './curve_jobs.js';
+import { CurveJobs, askedOver } from './curve_jobs.js';
 import { Fingers } from './fingers.js';
 import { COLOR, disc, mark, pill, word } from './ink.js';
 import { drawLetter } from './letters.js';
@@ -72,12 +72,8 @@ export class Curves {
   }
   /** What is needed for what is shown. */
   get asked() {
-    const { chosen, points, x, y } = this.whatif;
-    const [from, to] = this.whatif.range(x);
-    const others = Object.entries(chosen).filter(([name]) => name !== x.name);
-    const key = JSON.stringify([others, x, from, to, points.source === points.own, y.name]);
-    const fixed = /** @type {[name: string, value: number][]} */ ([[y.name, this.whatif.value(y)]]);
-    return { key, axis: x, from, to, fixed, chosen };
+    const { whatif } = this;
+    return askedOver(whatif, whatif.x, whatif.y);
   }
   /** @param {Result[]} results  that there are */
   draw(results) {

@@ -3,6 +3,7 @@
 import { make, write } from '../browser/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
+import { isStiffness, usualFirst } from './axes.js';
 import { PLACE, WIDTH, shownOf, valueOf } from './results.js';
 
 /** @import { Axis } from './axes.js' */
@@ -35,15 +36,16 @@ export class Gains {
     return axes.filter(({ body, name, whole }) => !body && !whole && page.controls.fields[name] && points.covers(name));
   }
   /**
-   * Sliders in view: those of both axes, then others; none of a restitution that does not act.
+   * Sliders in view: those of both axes, how stiff the contact is, then others that act on what is shown.
    * @param {string[]} others  that lead without the map
    */
   leads(others) {
-    const { named, page } = this.whatif;
-    const axes = [named.x, named.y].filter((name) => page.controls.fields[name]);
-    if (!this.whatif.axes.length) return others; // not yet known
+    const { axes, named, page } = this.whatif;
+    if (!axes.length) return others; // not yet known
+    const stiff = usualFirst(axes).filter(isStiffness);
+    const first = [named.x, named.y, ...stiff].filter((name) => page.controls.fields[name]);
     const act = others.filter((name) => name !== 'restitution' || this.whatif.axis(name));
-    return [...new Set([...axes, ...act])].slice(0, SLIDERS);
+    return [...new Set([...first, ...act])].slice(0, SLIDERS);
   }
   /** @param {Axis} axis */
   #role({ name, title }) {

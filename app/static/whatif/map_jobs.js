@@ -48,7 +48,7 @@ export class MapJobs {
     this.whatif = whatif;
   }
   get idle() {
-    const others = (this.whatif.modes.shown?.jobs ?? this.whatif.borders.across).idle;
+    const others = (this.whatif.modes.shown?.jobs ?? this.whatif.borders).idle;
     const found = !this.view || (this.halves?.length === 0 && !this.view.lattice.left.size);
     return others && found && !this.under && !this.wanted.length;
   }
@@ -100,7 +100,7 @@ export class MapJobs {
       this.wanted = [view.mend()].filter(({ length }) => length);
       this.halves = view.halves();
     }
-    const job = this.wanted.length ? this.#points(view) : (this.#edges(view) ?? borders.across.next(this.many));
+    const job = this.wanted.length ? this.#points(view) : (this.#edges(view) ?? borders.next(this.many));
     return job && { ...job, drawn: true };
   }
   /**

@@ -18,7 +18,7 @@ export class ServerWork {
   /** Stop, or go on. */
   turn() {
     const { borders, modes, points } = this.whatif;
-    const searches = [modes.curves.jobs, modes.tolerance.jobs, borders.across, borders.near];
+    const searches = [modes.curves.jobs, modes.tolerance.jobs, ...borders.searches, borders.near];
     for (const jobs of searches) jobs.lost = 0; // what was stopped is not refused
     points.stop(!points.stopped);
     this.whatif.schedule();

@@ -83,10 +83,9 @@ export class WhatIf {
     this.words = make('p', { className: 'whatif-said', ariaLive: 'polite' });
     this.modes = new Modes(this);
     this.borders = new Borders(this);
-    const back = { type: 'button', className: 'whole whatif-back', textContent: text('whatif.back'), onclick: close };
-    this.back = make('button', /** @type {any} */ (back));
-    this.back.title = text('whatif.back-about');
-    this.back.ariaLabel = this.back.textContent; // on a phone it is a sign
+    const [name, title] = [text('whatif.back'), text('whatif.back-about')];
+    const named = { textContent: name, ariaLabel: name, title }; // on a phone it is a sign
+    this.back = make('button', { type: 'button', className: 'whole whatif-back', ...named, onclick: close });
     this.along = new Along(this);
     this.head = make('div', { className: 'whatif-head' }, this.sentence.root, this.modes.segments.root);
     this.head.append(this.designs.keep, this.along.root, this.back);

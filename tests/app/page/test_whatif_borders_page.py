@@ -28,18 +28,32 @@ def contacts(mass_ratio: float, speed: float = 1.0, **contact) -> int:
     return len(solvers.solve(scene.replace(values), method="waves").contacts)
 
 
-def test_the_nearest_change_across_is_said_below_the_map(show):
+def test_the_nearest_changes_are_said_below_the_map(show):
     page = opened(show, "?layout=opening&whatif=peak_force,mass_ratio,speed")
     said = page.tab.locator(".whatif-border").text_content()
-    assert said == "Mass ratio above 1.011: 1 contact"  # thesis 4.5: 1.0107
+    axis, low = re.fullmatch(r"([^:]*): 1 contact above 1.011 or below ([\d.]+)", said).groups()  # thesis 4.5: 1.0107
+    assert axis == "Mass ratio"  # by a rigid law nothing changes over the speed
     assert (contacts(1.0), contacts(1.0105), contacts(1.0115)) == (2, 2, 1)
+    assert (contacts(0.999 * float(low)), contacts(1.001 * float(low))) == (1, 2)
     slider = page.tab.locator("#choice-mass_ratio")
     arrow(slider, int(slider.input_value()) + 30)
     settled(page)
     page.wait(DONE)
     said = page.tab.locator(".whatif-border").text_content()
-    assert said == "Mass ratio below 1.011: 2 contacts"
+    assert said == "Mass ratio: 2 contacts below 1.011"
     page.tab.keyboard.press("Control+z")
+
+
+def test_changes_along_both_axes_are_said(show):
+    link = "?layout=opening&law=hertz&mass_ratio=0.7&speed=1&hertz_stiffness=1e12&whatif=peak_force,speed,hertz_stiffness"
+    page = opened(show, link)
+    page.wait(f"() => {WHATIF}.borders.root.textContent.includes(' · ')")
+    said = page.tab.locator(".whatif-border").text_content()
+    form = r"Impact speed: 1 contact below (\S+) m/s · Stiffness: 1 contact below ([^\u00a0]+).*"
+    speed, stiffness = map(number, re.fullmatch(form, said.replace("\u00a0m/s", " m/s")).groups())
+    for share, count in ((0.99, 1), (1.01, 2)):
+        assert contacts(0.7, share * speed, law="hertz", stiffness=1e12) == count, said
+        assert contacts(0.7, 1.0, law="hertz", stiffness=share * stiffness) == count, said
 
 
 @pytest.mark.parametrize("law", ["rigid", "hertz"])
