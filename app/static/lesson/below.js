@@ -8,6 +8,8 @@ import { text } from '../text/catalogue.js';
 /** @import { TaughtMap } from '../whatif/taught.js' */
 
 const MAP = 'map';
+export const FIGURE = '.figure-area';
+const AWAITED = `[aria-busy='true'], ${FIGURE}:empty`;
 const OF_SOLUTIONS = ['force', 'moved']; // charts that have other solutions of the impact beside the first
 
 export class Below {
@@ -30,6 +32,10 @@ export class Below {
       if ('taught' in stage) stage.taught = true;
       for (const [name, chart] of stack?.charts ?? []) chart.lone = OF_SOLUTIONS.includes(name);
     }
+  }
+  /** Whether an analysis has no answer yet, or no figure, or a map is not whole. */
+  get awaited() {
+    return this.root.querySelector(AWAITED) !== null || (this.names.includes(MAP) && !this.map?.whole);
   }
   /**
    * A chart of the view that is seen, or an analysis.

@@ -1,4 +1,5 @@
 // A lesson on paper: all its steps with room for answers, and no answer. The key is for the page of the teacher.
+import { FIGURE } from './below.js';
 import { contextOf } from '../charts/canvas.js';
 import { FINE, pictureOf } from '../charts/save.js';
 import { make } from '../browser/dom.js';
@@ -28,8 +29,6 @@ const INKS = { edge: '#000000', faint: '#000000', grid: '#8b95a1' }; // to be re
 // on paper nothing was moved or drawn
 const UNKNOWN = { start: '…', end: '…', peak: '…', yours: '…', true: '…', at: '…', off: '…' };
 const WAIT = 20_000; // ms for the pictures of a step
-const FIGURE = '.figure-area';
-const AWAITED = `[aria-busy='true'], ${FIGURE}:empty`; // an analysis that has no answer yet, or no figure
 const PAINTED = 600; // ms that a figure takes to be drawn anew
 const LOOK = 100; // ms until it is seen again whether an analysis is there
 
@@ -228,13 +227,13 @@ export class Print {
       below: taken([...rows, ...lesson.below.root.children]),
     });
   }
-  /** Until all that is shown is drawn at its size, and analyses have come. */
+  /** Until all that is shown is drawn at its size, and analyses and maps have come. */
   async #settled() {
-    const { root } = this.lesson.below;
+    const { below } = this.lesson;
     const latest = performance.now() + WAIT;
     do await after(LOOK);
-    while (root.querySelector(AWAITED) && performance.now() < latest);
-    if (root.querySelector(FIGURE)) await after(PAINTED);
+    while (below.awaited && performance.now() < latest);
+    if (below.root.querySelector(FIGURE)) await after(PAINTED);
     await new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(painted)));
   }
   /** What is printed, as the page stands. */

@@ -43,6 +43,10 @@ export class TaughtMap extends WhatIf {
     } else await this.enter(said);
     this.shown = said;
   }
+  /** Whether all of it is found and drawn. */
+  get whole() {
+    return Boolean(this.shown && this.view && this.domain && this.jobs.idle && !this.due && !this.streaming);
+  }
   /**
    * Have this drawn on it, by hand, before anything of it is seen.
    * @param {Boundary | null} sketch

@@ -41,3 +41,27 @@ def test_figures_of_an_analysis_stand_one_below_the_other_and_end_where_it_does(
     whole, first, second = ((box["y"], box["y"] + box["height"]) for box in boxes)
     assert first[1] <= second[0] + 1 and second[1] <= whole[1] + 1
     assert second[0] - first[0] < 400  # no gap between them
+
+
+WATCH = """() => {
+  globalThis.taken = []; // of each picture that is taken for paper: whether it has a map, and whether all of that
+  window.print = () => { globalThis.printed = true; };
+  const { prototype } = HTMLCanvasElement;
+  const { toDataURL } = prototype;
+  prototype.toDataURL = function (...all) {
+    const { below } = strikewave.page.opening.teaching.lesson;
+    globalThis.taken.push([below.names.includes('map'), Boolean(below.map?.view && below.map.jobs.idle)]);
+    return toDataURL.apply(this, all);
+  };
+}"""
+
+
+def test_a_map_is_whole_before_it_is_printed(open_page):
+    page = open_page("?lesson=heavier-faster-softer", size=(1280, 800))
+    ready(page)
+    page.evaluate(WATCH)
+    page.tab.get_by_role("button", name="Print").first.click()
+    page.tab.locator("dialog.lesson-printing .lesson-main").click()
+    page.wait("() => globalThis.printed")
+    maps = [whole for there, whole in page.evaluate("() => globalThis.taken") if there]
+    assert len(maps) >= 2 and all(maps), page.evaluate("() => globalThis.taken")

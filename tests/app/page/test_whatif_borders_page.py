@@ -45,8 +45,8 @@ def test_the_nearest_changes_are_said_below_the_map(show):
 
 
 def test_changes_along_both_axes_are_said(show):
-    link = "?layout=opening&law=hertz&mass_ratio=0.7&speed=1&hertz_stiffness=1e12&whatif=peak_force,speed,hertz_stiffness"
-    page = opened(show, link)
+    chosen = "law=hertz&mass_ratio=0.7&speed=1&hertz_stiffness=1e12"
+    page = opened(show, f"?layout=opening&{chosen}&whatif=peak_force,speed,hertz_stiffness")
     page.wait(f"() => {WHATIF}.borders.root.textContent.includes(' · ')")
     said = page.tab.locator(".whatif-border").text_content()
     form = r"Impact speed: 1 contact below (\S+) m/s · Stiffness: 1 contact below ([^\u00a0]+).*"
@@ -82,7 +82,8 @@ def test_a_line_of_the_map_says_its_place_under_a_pointer(show, law):
             r"(\d)\+? \| (\d)\+? contacts?: (\D+) ([\d.·⁰¹²³⁴⁵⁶⁷⁸⁹]+)[^,]*, (\D+) ([\d.·⁰¹²³⁴⁵⁶⁷⁸⁹]+).*", said
         ).groups()
         place = dict([(first, number(one)), (second, number(other))])
-        for share, count in ((-1e-3, int(before)), (1e-3, int(after))):
+        sure = max(1e-3, rounded(one))
+        for share, count in ((-sure, int(before)), (sure, int(after))):
             values = place | {first: place[first] * (1 + share)}
             stiff = {"law": "hertz", "stiffness": values["Stiffness"]} if law == "hertz" else {}
             assert contacts(values["Mass ratio"], values.get("Impact speed", 1.0), **stiff) == count, said
@@ -95,6 +96,13 @@ def number(words: str) -> float:
     head, _, power = words.rpartition("10") if re.search("[⁰¹²³⁴⁵⁶⁷⁸⁹]", words) else (words, "", "")
     digits = power.translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789"))
     return float(head.rstrip("·") or 1) * 10 ** int(digits or 0)
+
+
+def rounded(words: str) -> float:
+    """How far a written number may be from what it stands for: half of its last digit, and a little."""
+    head, _, _ = words.partition("·")
+    _, _, decimals = head.partition(".")
+    return 0.51 * 10.0 ** -len(decimals) / float(head)
 
 
 def test_curves_say_where_contacts_change_the_nearest_first(open_page):

@@ -2,6 +2,8 @@
 
 import pytest
 
+from .test_page import settled
+
 # Points over these names at these rows, with what else is chosen by now.
 FIND = """async ([names, rows, more]) => {
   const script = document.querySelector('link[rel=modulepreload][href$="/page.js"]').href;
@@ -30,6 +32,7 @@ FIND = """async ([names, rows, more]) => {
 
 def test_points_are_those_of_the_picture_and_leave_it_alone(open_page):
     page = open_page("?scene=xylophone-bar&panel=energy")
+    settled(page)
     chosen = page.header("chosen")
     rows = [[chosen["mass_ratio"], chosen["speed"]], [1e9, 1.0], *([0.5 + 0.1 * k, 1.0] for k in range(40))]
     found = page.evaluate(FIND, [["mass_ratio", "speed"], rows, {}])
