@@ -5,6 +5,7 @@ The others are a process of their own, which yields to the rest: their machines 
 
 import asyncio
 import itertools
+import json
 import os
 import random
 import statistics
@@ -18,19 +19,31 @@ from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import WebSocketClosedError
 
 from app.serving.limits import MAX_SESSIONS
+from app.views.whatif import POINTS
 from tests.app.socket_client import SocketClient, run
 
 from .serving import served_page
 from .size import of
 from .timing import row
 
-BESIDE = (("costly", 0), ("costly", 2), ("costly", 4), ("flooding", 20), ("fetching", 20))
-LITTLE = (("costly", 0), ("flooding", 1), ("fetching", 1))
+BESIDE = (
+    ("costly", 0),
+    ("costly", 2),
+    ("costly", 4),
+    ("flooding", 20),
+    ("fetching", 20),
+    ("mapping", 5),
+    ("mapping", 45),
+)
+LITTLE = (("costly", 0), ("flooding", 1), ("fetching", 1), ("mapping", 1))
 HONEST, PERIOD = 5, 0.4  # visitors, and seconds between two changes of each
 SECONDS = 10.0  # of each measurement
 COSTLY = {"method": "mode-switch", "modes": 200}  # at mass ratios near 1/1000: 7 s of computing each
 REST_PERIOD = 2.5  # s between two drags, of which the server sees the end
 COVERED = ("", "?law=hertz", "?scene=free-rod", "?scene=hammer-on-cantilever")  # by the kernels that browsers have
+MAPPED = "?scene=four-bar"  # its points are found by the server: 20 ms and more each
+ROWS = 64  # of points in a question
+OPENS = 0.3  # s, until a visitor of a crowd has opened
 SCENES = ("", "?law=hertz", "?scene=stepped-rod", "?scene=hammer-on-cantilever")
 
 
@@ -84,7 +97,20 @@ async def fetching(address: str, number: int) -> None:
             await client.fetch(HTTPRequest(f"http://{address}/", request_timeout=60))
 
 
-KINDS = {"costly": costly, "flooding": flooding, "fetching": fetching}
+async def mapping(address: str, number: int) -> None:
+    """Has the server find all points of a map, one question after the other, as the page does."""
+    client = await SocketClient(address).open(MAPPED)
+    await client.changes(0.5)
+    for k in itertools.count(1):
+        rows = [[0.2 + 0.01 * n, 1.0 + 1e-3 * (number + 100 * k)] for n in range(ROWS)]
+        await client.set(POINTS, json.dumps({"id": k, "names": ["speed", "mass_ratio"], "rows": rows}))
+        while True:
+            kind, content = await client.receive()
+            if kind == "PATCH-DOC" and any(each.get("attr") == "whatif" for each in content.get("events", [])):
+                break
+
+
+KINDS = {"costly": costly, "flooding": flooding, "fetching": fetching, "mapping": mapping}
 
 
 @contextmanager
@@ -95,7 +121,7 @@ def crowd(address: str, kind: str, count: int) -> Iterator[None]:
         return
     others = subprocess.Popen([sys.executable, "-m", __name__, address, kind, str(count)])
     try:
-        time.sleep(of(4.0, 1.5))
+        time.sleep(of(4.0 + OPENS * count, 1.5))
         yield
     finally:
         others.kill()
