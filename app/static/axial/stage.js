@@ -11,6 +11,7 @@ import { RigidField } from './fields.js';
 import { pushed } from './pushed.js';
 import { axis, barNames, endMass, masses, onward, push, runs, specimen, striker, struckBody, wall } from './bodies.js';
 import { cradle, swing } from './cradle.js';
+import { middleOf, thickOf } from './heights.js';
 import { scaleBar } from './scale_bar.js';
 import { placing, seamIn } from './traces.js';
 import { reachOf } from './reach.js';
@@ -30,8 +31,7 @@ const REACH = 0.16; // of what is drawn that the largest movement takes
 const [EDGE, ONWARD] = [6, 36]; // pixels left at the edges, and of the sign of an endless rod
 const NARROW = 560; // pixels of width
 const LEAST_ROOM = 12; // pixels in which anything can move
-const HUNG = 0.68; // of its height: where a pendulum strikes, so that it is seen
-const LEADS = { left: 0.3, bends: 0.44, thick: [0.42, 132], gap: 0.075 }; // shares and pixels, where the picture leads
+const LEADS = { left: 0.3, bends: 0.44, gap: 0.075 }; // shares, where the picture leads
 const FACE = 0.45; // of the picture: where a body without length is struck
 const SIGNED = 30; // pixels of a body that has room for a sign
 const BALLS = 4; // times larger or smaller at most that a ball of another mass is drawn
@@ -135,7 +135,7 @@ export class Stage {
     }
     const held = target.held && (!this.span || strikesBody(rods)); // a wall has no mass to compare with
     const heavy = held ? 1 : impactor.mass / target.mass;
-    const usual = this.leads ? this.#thick(height) : BODY;
+    const usual = this.leads ? thickOf(height, true, rods.length > 0) : BODY;
     const own = Math.min(Math.max(usual * heavy ** (1 / 6), 22), most);
     return [own, Math.min(0.36 * height, 68)];
   }
@@ -152,11 +152,6 @@ export class Stage {
     if (target.held && target.support !== 'anechoic') return [left, width - (target.rotation ? 66 : 30)];
     return [left, (rod ? 0.86 : 0.82) * width];
   }
-  /** @param {number} height */
-  #thick(height) {
-    const [share, most] = this.leads ? LEADS.thick : [0.3, 56];
-    return Math.min(share * height, most);
-  }
   /** @param {number} t */
   draw(t) {
     const { canvas, field, frame } = this;
@@ -167,8 +162,8 @@ export class Stage {
     const { c, width, height } = sheet;
     const { rods, impactor } = frame;
     const hangs = impactor.kind === 'pendulum';
-    const middle = height * (hangs ? HUNG : 0.47);
-    const thick = this.#thick(height);
+    const thick = thickOf(height, this.leads, rods.length > 0);
+    const middle = middleOf(height, thick, this.leads, rods.length > 0, hangs);
     const [size, struck] = this.#sizes(width, height);
     const [left, right] = this.#places(width);
     const struckAt = (frame.target.row ? (this.leads ? ROW.leads : ROW.struck) : FACE) * width;
