@@ -31,7 +31,8 @@ def contacts(mass_ratio: float, speed: float = 1.0, **contact) -> int:
 def test_the_nearest_changes_are_said_below_the_map(show):
     page = opened(show, "?layout=opening&whatif=peak_force,mass_ratio,speed")
     said = page.tab.locator(".whatif-border").text_content()
-    axis, low = re.fullmatch(r"([^:]*): 1 contact above 1.011 or below ([\d.]+)", said).groups()  # thesis 4.5: 1.0107
+    form = r"([^:]*): 1 contact just above 1.011 or just below ([\d.]+)"  # thesis 4.5: 1.0107
+    axis, low = re.fullmatch(form, said).groups()
     assert axis == "Mass ratio"  # by a rigid law nothing changes over the speed
     assert (contacts(1.0), contacts(1.0105), contacts(1.0115)) == (2, 2, 1)
     assert (contacts(0.999 * float(low)), contacts(1.001 * float(low))) == (1, 2)
@@ -40,7 +41,7 @@ def test_the_nearest_changes_are_said_below_the_map(show):
     settled(page)
     page.wait(DONE)
     said = page.tab.locator(".whatif-border").text_content()
-    assert said == "Mass ratio: 2 contacts below 1.011"
+    assert said == "Mass ratio: 2 contacts just below 1.011"
     page.tab.keyboard.press("Control+z")
 
 
@@ -49,7 +50,7 @@ def test_changes_along_both_axes_are_said(show):
     page = opened(show, f"?layout=opening&{chosen}&whatif=peak_force,speed,hertz_stiffness")
     page.wait(f"() => {WHATIF}.borders.root.textContent.includes(' · ')")
     said = page.tab.locator(".whatif-border").text_content()
-    form = r"Impact speed: 1 contact below (\S+) m/s · Stiffness: 1 contact below ([^\u00a0]+).*"
+    form = r"Impact speed: 1 contact just below (\S+) m/s · Stiffness: 1 contact just below ([^\u00a0]+).*"
     speed, stiffness = map(number, re.fullmatch(form, said.replace("\u00a0m/s", " m/s")).groups())
     for share, count in ((0.99, 1), (1.01, 2)):
         assert contacts(0.7, share * speed, law="hertz", stiffness=1e12) == count, said
