@@ -96,7 +96,7 @@ def _varied(found: Any) -> str:
     for each in found.varied:
         known = each.table()
         for key, values in known["keys"].items():
-            first = f"<td class='key'>{key_of(key)}</td><td>{escape(named('sheet.key', key.rpartition('.')[2]))}</td>"
+            first = f"<td class='key'>{key_of(key)}</td><td>{escape(named('sheet.key', _end(key)))}</td>"
             cells = (_range(values), _count(known, key))
             rows.append(f"<tr>{first}{''.join(f'<td>{escape(cell)}</td>' for cell in cells)}</tr>")
     design = found.design
@@ -135,7 +135,7 @@ def _inputs(found: Any) -> str:
 
 def _model(found: Any) -> str:
     few = _few(found.methods)
-    names = escape(", ".join(map(method_line, few))) if few else escape(text("study-sheet.none"))
+    names = escape("; ".join(map(method_line, few))) if few else escape(text("study-sheet.none"))
     method = f"<b>{names}</b>. {escape(_why(found))}"
     laws = found.laws if len(found.laws) <= METHODS else []
     return section("model", text("sheet.model"), model_body(method, laws, limits_of(few)))
@@ -198,9 +198,14 @@ def _figure(found: Any, each: Any, heads: list[str]) -> Iterable[str]:
 def _at(found: Any, at: Mapping[str, Any]) -> str:
     """Values of the keys, by their last words where no two are the same; of keys that go together the first one's."""
     keys = [each.keys[0] for each in found.varied]
-    ends = [key.rpartition(".")[2] for key in keys]
+    ends = [_end(key) for key in keys]
     names = {key: end if ends.count(end) == 1 else key for key, end in zip(keys, ends, strict=True)}
     return ", ".join(f"{name} {_said(at[key])}" for key, name in names.items() if key in at)
+
+
+def _end(key: str) -> str:
+    """Its last word; of the name of a method what it names."""
+    return "method" if key == "method.name" else key.rpartition(".")[2]
 
 
 def _said(value: Any) -> str:

@@ -17,9 +17,10 @@ from ... import validation
 from ...methods import usual_method
 from ...methods.base import Method
 from ...scene import Scene
-from ...scenes.library import as_given
+from ...scenes.library import as_given, built_in, scene_names
 from ...scenes.link import query_of
 from ...solve import CHOICES, chosen_method
+from ...text.catalogue import SOURCE
 from ...validation import SceneError, allowed
 from ..figures import FIGURES, asked_for
 from ..study.design import MOST_POINTS
@@ -27,71 +28,13 @@ from ..study.plot import drawing
 from ..varied import unit_of
 from .again import study_words
 from .inputs import Input, inputs_of
-from .numbers import USUAL
 from .page import FILE, address, checked, save
+from .reaches import Kind, Reach, Varied, reach_of, shown_of, varied_of
 
 MADE_BY = ("scene", "method", "figures")  # attributes that, beside the design, make another study of it
 LOOKED_AT = 33  # points all over it, of which methods and laws are named
-FEW_KEYS, MOST_FIGURES, FEWER_FIGURES = 3, 8, 5  # figures that are shown unless they are named, of few keys or of many
 SCATTERED = 2  # keys, of which one scatter has both
 VARIED = "varied"  # in place of a tolerance
-
-
-@dataclass(frozen=True)
-class Varied:
-    """Keys that take their values together."""
-
-    keys: tuple[str, ...]
-    units: tuple[str, ...]
-    values: tuple[tuple[Any, ...], ...]  # of each key, the different ones in their order
-    law: str  # by which they are drawn; "" where they are listed
-
-    def table(self) -> dict[str, Any]:
-        """As plain values: of numbers the lowest and the highest, and how many there are."""
-        keys = {
-            key: {"unit": unit, "count": len(values)}
-            | ({"lowest": values[0], "highest": values[-1]} if numeric(values) else {"values": list(values)})
-            for key, unit, values in zip(self.keys, self.units, self.values, strict=True)
-        }
-        return {"keys": keys, "law": self.law}
-
-
-@dataclass(frozen=True)
-class Place:
-    """A value, and the keys where it is."""
-
-    value: float
-    at: Mapping[str, Any]
-
-
-@dataclass(frozen=True)
-class Reach:
-    """How far a figure reaches; `median`: that of all points that have it, the lower one of two."""
-
-    name: str
-    unit: str
-    least: Place
-    median: Place
-    largest: Place
-
-    def table(self) -> dict[str, Any]:
-        """As plain values."""
-        ends = {"least": self.least, "median": self.median, "largest": self.largest}
-        return {"unit": self.unit} | {name: {"value": end.value, "at": dict(end.at)} for name, end in ends.items()}
-
-
-@dataclass(frozen=True)
-class Kind:
-    """Points with the same refusal or note: its code, how many, the sentence of the first and where that is."""
-
-    code: str
-    points: int
-    said: str
-    at: Mapping[str, Any]
-
-    def table(self) -> dict[str, Any]:
-        """As plain values."""
-        return {"code": self.code, "points": self.points, "said": self.said, "at": dict(self.at)}
 
 
 @dataclass(frozen=True, repr=False)
@@ -245,11 +188,6 @@ class StudyReport:
         return f"<StudyReport: {self.scene.title[:60]!r}, {self.counts['points']} points>"
 
 
-def numeric(values: Sequence[Any]) -> bool:
-    """Whether all are numbers."""
-    return all(isinstance(each, (int, float)) and not isinstance(each, bool) for each in values)
-
-
 def study_report(
     dataset: Any, figures: Sequence[str] | None = None, page: str = "", name: str | None = None
 ) -> StudyReport:
@@ -264,21 +202,21 @@ def study_report(
     dataset = study_plots.gridded(dataset)
     dataset = _with_units(dataset, scene)
     known = study_tables.summary(dataset)
-    varied = _varied(dataset)
-    shown, more = _shown(there, names, known["figures"], sum(len(each.keys) for each in varied))
+    varied = varied_of(dataset)
+    shown, more = shown_of(there, names, known["figures"], sum(len(each.keys) for each in varied))
     methods, laws = _solved_by(dataset, scene)
     keys = {key for each in varied for key in each.keys}
     error = known["figures"].get("estimated_error")
     return StudyReport(
         dataset, scene, varied, _inputs(scene, keys), methods, laws, _why(dataset, scene, keys),
-        [_reach(dataset, each, known["figures"][each]) for each in shown], more,
+        [reach_of(dataset, each, known["figures"][each]) for each in shown], more,
         [name for name in names or () if name not in known["figures"]],
         {each: known[each] for each in ("points", "solved", "refused", "waiting")},
         [Kind(each["code"], each["points"], each["reason"], each["at"]) for each in known["refusals"]],
         [Kind(code, count, known["sentences"].get(code, code), known["noted_at"][code])
          for code, count in known["notes"].items()],
-        None if error is None else _reach(dataset, "estimated_error", error),
-        query_of(scene), address(page), {"file": name or FILE, "figures": names},
+        None if error is None else reach_of(dataset, "estimated_error", error),
+        query_of(scene, _built_in(scene)), address(page), {"file": name or FILE, "figures": names},
     )  # fmt: skip
 
 
@@ -296,6 +234,11 @@ def _known(dataset: Any) -> tuple[Scene, list[str]]:
     if size > MOST_POINTS:
         raise SceneError("study", f"{size:.3g} points", allowed("report-points", most=MOST_POINTS))
     return Scene.from_table(tables), there
+
+
+def _built_in(scene: Scene) -> str | None:
+    """The name of a built-in scene that is the same; there are some two hundred, read in half a second."""
+    return next((name for name in scene_names() if built_in(name, SOURCE) == scene), None)
 
 
 def _one_of(name: str, there: Sequence[str]) -> str:
@@ -316,50 +259,6 @@ def _with_units(dataset: Any, scene: Scene) -> Any:
     return dataset.assign({name: array for name, array in named.items() if name in FIGURES}).assign_coords(
         {name: array for name, array in named.items() if name not in FIGURES}
     )
-
-
-def _varied(dataset: Any) -> list[Varied]:
-    """As the design says, and of what is drawn the values that were."""
-    found = []
-    for axis in json.loads(dataset.attrs["design"])["vary"]:
-        keys = tuple(axis["keys"])
-        columns = [dataset[key].values for key in keys]
-        values = tuple(tuple(_different(column)) for column in columns)
-        units = tuple(str(dataset[key].attrs.get("units", "")) for key in keys)
-        found.append(Varied(keys, units, values, axis.get("law", "")))
-    return found
-
-
-def _different(column: np.ndarray) -> list[Any]:
-    """Numbers in rising order; words as they come."""
-    return np.unique(column).tolist() if column.dtype.kind in "iuf" else list(dict.fromkeys(column.tolist()))
-
-
-def _shown(
-    there: Sequence[str], names: Sequence[str] | None, known: Mapping[str, Any], keys: int
-) -> tuple[list[str], list[str]]:
-    """Figures that are shown, those that say most first, and others that some point has."""
-    some = [name for name in there if name in known]
-    if names is not None:
-        return [name for name in names if name in known], []
-    some = [name for name in some if any(known[name][end]["value"] for end in ("lowest", "highest"))]
-    first = [name for name in USUAL if name in some and name != "contacts"]
-    ordered = first + [name for name in some if name not in first and name != "estimated_error"]
-    most = MOST_FIGURES if keys <= FEW_KEYS else FEWER_FIGURES
-    shown = ordered[:most]
-    if "contacts" in ordered[most:]:  # which no other figure says
-        shown[-1] = "contacts"
-    return shown, [name for name in ordered if name not in shown]
-
-
-def _reach(dataset: Any, name: str, known: Mapping[str, Any]) -> Reach:
-    from ...notebook import study_tables
-
-    values = dataset[name].values.ravel()
-    median = float(np.nanquantile(values, 0.5, method="lower"))  # which some point has
-    nearest = int(np.nanargmin(np.abs(values - median)))
-    ends = [Place(known[end]["value"], known[end]["at"]) for end in ("lowest", "highest")]
-    return Reach(name, known["unit"], ends[0], Place(median, study_tables.at(dataset, nearest)), ends[1])
 
 
 def _solved_by(dataset: Any, scene: Scene) -> tuple[list[Mapping[str, Any]], list[str]]:
