@@ -102,7 +102,7 @@ test('command and Python say the same', () => {
   );
   assert.match(
     pythonOf('study', 'a.toml', varied, ['newton']),
-    /"a,b": "\(1,2\),\(3,4\)",\n.*\n {4}figures=\["newton"\],\n\)\n.*\nsolvers\.report\(data\)\.save\("a\.html"\)$/,
+    /"a,b": "\(1,2\),\(3,4\)",\n.*\n {4}figures=\["newton"\],\n\)\nsolvers\.report\(data\)\.save\("a\.html"\)$/,
   );
   assert.equal(
     commandOf('uncertain', 'a.toml', [['target.at', '0.4..0.6']], [figureOf('peak_force')]),

@@ -164,7 +164,6 @@ export function pythonOf(what, file, varied, figures) {
     '    },',
     `    figures=[${list}],`,
     ')',
-    `print(${name})`,
-    ...(what === 'study' ? [`solvers.report(${name}).save("${file.replace(/\.toml$/, '.html')}")`] : []),
+    what === 'study' ? `solvers.report(${name}).save("${file.replace(/\.toml$/, '.html')}")` : `print(${name})`,
   ].join('\n');
 }
