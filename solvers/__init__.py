@@ -63,6 +63,7 @@ from .studies.hopkinson.reduction import Hopkinson, hopkinson
 from .studies.optimum import Optimum, optimise
 from .studies.pareto import Pareto, pareto
 from .studies.report.report import Report, report
+from .studies.report.study import StudyReport
 from .studies.scattering import JointScattering, joint_scattering
 from .studies.seek import Sought, seek
 from .studies.study.plot import plot_study
@@ -121,6 +122,7 @@ __all__ = [
     "Sought",
     "SpringMass",
     "Stability",
+    "StudyReport",
     "TradeOff",
     "TradeOffPoint",
     "Uncertain",

@@ -199,11 +199,7 @@ def _report_command(commands: Any) -> None:
     parser = commands.add_parser("report", help=text("help.report.about"))
     _scene_arguments(parser)
     report.add_arguments(parser)
-
-    def run(options: argparse.Namespace) -> int:
-        return report.print_report(_scene(options), parse_changes(options.changes), options)
-
-    parser.set_defaults(run=run)
+    parser.set_defaults(run=lambda options: report.print_any(options, _scene, parse_changes))
 
 
 def _bounce_command(commands: Any) -> None:

@@ -7,6 +7,7 @@ from typing import Any
 
 import solvers
 from solvers import SceneError
+from solvers.jit.cache import write_whole
 
 from .words import text
 
@@ -41,7 +42,7 @@ def print_plot(options: Namespace) -> int:
         asked = options.figure, options.x, options.y, options.kind
         drawn = solvers.plot_study(found, *asked, out if picture else None)
         if not picture:
-            out.write_text(_page(drawn, str(options.file)), "utf-8")
+            write_whole(out, _page(drawn, str(options.file)))
     except SceneError as refused:
         if refused.key in ("figure", "x", "y", "kind", "out"):
             raise SceneError(f"--{refused.key}", refused.value, refused.reason) from None

@@ -89,18 +89,20 @@ def cache_home() -> Path:
 
 
 def keep_text(path: Path, text: str) -> None:
-    """Write a file of the user's cache so that whoever reads it sees all of it or none, whoever else writes it.
-
-    Raises OSError where nothing can be kept.
-    """
+    """Write a file of the user's cache. Raises OSError where nothing can be kept."""
     path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, text)
+
+
+def write_whole(path: Path, content: str | bytes) -> None:
+    """Write a file so that whoever reads it sees all of it or none, whoever else writes it. Raises OSError where it
+    cannot be written; then what was there before is there still."""
     beside = path.with_name(f"{path.name}.{os.getpid()}.{threading.get_ident()}")  # its own
     try:
-        beside.write_text(text, encoding="utf-8")
+        beside.write_bytes(content if isinstance(content, bytes) else content.encode("utf-8"))
         beside.replace(path)
-    except OSError:
+    finally:  # after an interrupt, too
         beside.unlink(missing_ok=True)
-        raise
 
 
 def _cache_folder() -> Path:

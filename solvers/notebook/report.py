@@ -2,6 +2,7 @@
 
 import math
 import textwrap
+from collections.abc import Mapping
 from typing import Any
 
 from .given import SOURCES, books_open, given
@@ -31,7 +32,7 @@ def report(solution: Any) -> str:
         *_told(scene),
         line("solve.mass-ratio", shown(scene.mass_ratio, ".6g")),
         f"  {_unit_name(scene):32}{shown(trip * 1e6, '.6g')} us",
-        line("solve.method", method_line(solution)),
+        line("solve.method", method_line(solution.method)),
         "",
         f"  {head['contact']:<8}{head['start']:>13}{head['end']:>14}{head['impulse']:>17}{head['peak-force']:>18}",
     ]
@@ -234,7 +235,7 @@ def _bodies_report(solution: Any) -> str:
     lines = [
         title_of(solution),
         *_told(scene),
-        line("solve.method", method_line(solution)),
+        line("solve.method", method_line(solution.method)),
         line("bodies.normal", vector(scene.normal)),
         line("bodies.approach", f"{shown(scene.speed, '+.8g')} m/s"),
         line("bodies.effective-mass", f"{shown(solution.effective_mass, '.8g')} kg"),
@@ -315,7 +316,8 @@ def _estimate(error: float | None) -> str:
     return text("report.unknown") if error is None else text("solve.of-impact-speed", error=error)
 
 
-def method_line(solution: Any) -> str:
-    options = {key: value for key, value in solution.method.items() if key != "name" and value is not None}
+def method_line(method: Mapping[str, Any]) -> str:
+    """A method with its options."""
+    options = {key: value for key, value in method.items() if key != "name" and value is not None}
     said = {key: shown(value, "g") if type(value) in (int, float) else value for key, value in options.items()}
-    return solution.method["name"] + "".join(f", {key} {value}" for key, value in said.items())
+    return method["name"] + "".join(f", {key} {value}" for key, value in said.items())

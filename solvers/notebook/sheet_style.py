@@ -45,6 +45,13 @@ STYLE = """
 .strikewave-report .number { font-variant-numeric: tabular-nums; font-weight: 600; }
 .strikewave-report .small { font-size: .86em; color: #5b6775; margin: .3em 0 0; }
 .strikewave-report figure { margin: 0; min-width: 0; }
+.strikewave-report .picture figure { text-align: center; }
+.strikewave-report .picture img { max-width: 100%; max-height: 70mm; }
+.strikewave-report.dense .picture img { max-height: 62mm; }
+.strikewave-report.denser .picture img { max-height: 58mm; }
+.strikewave-report.densest .picture img { max-height: 55mm; }
+.strikewave-report .reaches td { white-space: normal; overflow-wrap: anywhere; }
+.strikewave-report small { font-size: .86em; color: #5b6775; }
 .strikewave-report svg { display: block; width: 100%; height: auto; }
 .strikewave-report.dense .even svg { max-height: 45mm; }
 .strikewave-report.denser .even svg { max-height: 39mm; }
@@ -77,5 +84,8 @@ STYLE = """
   .strikewave-report .inputs tr > :nth-child(2) { order: 3; }
   .strikewave-report .numbers tr > th { grid-row: span 2; }
   .strikewave-report .numbers td { white-space: normal; }
+  .strikewave-report .reaches tr > th { grid-row: span 3; }
+  .strikewave-report .reaches td[data-head]::before { content: attr(data-head) " "; color: #5b6775; }
+  .strikewave-report .picture img { max-height: none; }
 }
 """

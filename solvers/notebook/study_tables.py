@@ -17,18 +17,21 @@ def summary(found: Any) -> dict[str, Any]:
     the highest value of each figure, with the values of the keys there. It is read a stretch at a time."""
     points, solved = found.refused.size, 0
     by_code: dict[str, tuple[int, int]] = {}  # the first point, and how many there are
-    notes: dict[str, int] = {}
+    notes: dict[str, tuple[int, int]] = {}
     for first, refused in _stretches(found.refused):
         there = np.flatnonzero(refused != "")
         solved += refused.size - there.size
         for code, where, count in _counted(refused[there]):
             before = by_code.get(code, (first + int(there[where]), 0))
             by_code[code] = before[0], before[1] + count
-    for _, said in _stretches(found.notes):
-        for codes, _, count in _counted(said[said != ""]):
+    for first, said in _stretches(found.notes):
+        there = np.flatnonzero(said != "")
+        for codes, where, count in _counted(said[there]):
             for code in codes.split():
-                notes[code] = notes.get(code, 0) + count
+                before = notes.get(code, (points, 0))
+                notes[code] = min(before[0], first + int(there[where])), before[1] + count
     waiting = by_code.pop(NOT_SOLVED, (0, 0))[1]
+    noted = sorted(notes.items(), key=lambda each: (-each[1][1], each[0]))
     return {
         "points": points,
         "solved": solved,
@@ -36,13 +39,14 @@ def summary(found: Any) -> dict[str, Any]:
         "waiting": waiting,
         "figures": reaches(
             ((str(name), each.attrs.get("units", ""), _stretches(each)) for name, each in found.data_vars.items()),
-            lambda where: _at(found, where),
+            lambda where: at(found, where),
         ),
         "refusals": [
-            {"code": code, "points": count, "at": _at(found, where), "reason": _value(found.reason, where)}
+            {"code": code, "points": count, "at": at(found, where), "reason": _value(found.reason, where)}
             for code, (where, count) in sorted(by_code.items(), key=lambda each: (-each[1][1], each[0]))
         ],
-        "notes": dict(sorted(notes.items(), key=lambda each: (-each[1], each[0]))),
+        "notes": {code: count for code, (_, count) in noted},
+        "noted_at": {code: at(found, where) for code, (where, _) in noted},  # the first point that has it
         "sentences": json.loads(
             found.attrs.get("sentences", "{}")
         ),  # by code, the sentence of the first point that has it
@@ -88,7 +92,7 @@ def _value(array: Any, point: int) -> str:
     return str(np.asarray(array.variable[np.unravel_index(point, array.shape)].values))
 
 
-def _at(found: Any, point: int) -> dict[str, Any]:
+def at(found: Any, point: int) -> dict[str, Any]:
     """The values of all keys at a point."""
     sizes = found.refused.shape
     places = dict(zip(found.refused.dims, np.unravel_index(point, sizes), strict=True))
@@ -103,7 +107,7 @@ def rows(found: Any) -> list[dict[str, Any]]:
     """A table for each point: its keys, its figures (None where there is none), and words."""
     columns = {name: array.values.ravel() for name, array in found.data_vars.items()}
     return [
-        _at(found, point) | {str(name): _plain(values[point]) for name, values in columns.items()}
+        at(found, point) | {str(name): _plain(values[point]) for name, values in columns.items()}
         for point in range(found.refused.size)
     ]
 

@@ -183,7 +183,7 @@ def comparison(found: Any) -> str:
     lines = [
         title_of(exact),
         line("solve.mass-ratio", shown(scene.mass_ratio, ".6g")),
-        line("compare.reference", method_line(exact)),
+        line("compare.reference", method_line(exact.method)),
         line("compare.contacts", textwrap.shorten(periods, 200, placeholder=" ...")),
         f"  {text('compare.moving', moving=moving):32}{shown(found.rebound, '+.8g')} m/s{_uncertainty(exact)}",
         "",

@@ -6,6 +6,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from .. import validation
 from ..scene import Scene
 from ..text.catalogue import SOURCE, library, spoken
 from ..validation import SceneError, allowed
@@ -101,6 +102,13 @@ def read_toml(path: Path) -> dict[str, Any]:
         raise SceneError("scene", str(path), allowed("toml", why=_named(error))) from None
     except OSError as error:
         raise SceneError("scene", str(path), allowed("readable", why=error.strerror)) from None
+
+
+def as_given(scene: Scene) -> str:
+    """The scene as the text of a scene file that says what was given and no more, so that what follows from it follows
+    again where values are changed; without its view."""
+    tables = scene.given or scene.table()
+    return as_toml(validation.plain({name: table for name, table in tables.items() if name != "view"})) + "\n"
 
 
 def to_toml(scene: SceneOrName) -> str:

@@ -98,16 +98,17 @@ test('command and Python say the same', () => {
   assert.equal(
     commandOf('study', 'fixed-rod.toml', varied, [figureOf('vibration')]),
     'impact study fixed-rod.toml --vary impactor.mass=1..8:4:log --vary "a,b=(1,2),(3,4)" --figure vibration_share ' +
-      '--out fixed-rod.nc',
+      '--out fixed-rod.nc\nimpact report fixed-rod.nc',
   );
   assert.match(
     pythonOf('study', 'a.toml', varied, ['newton']),
-    /"a,b": "\(1,2\),\(3,4\)",\n.*\n {4}figures=\["newton"\]/,
+    /"a,b": "\(1,2\),\(3,4\)",\n.*\n {4}figures=\["newton"\],\n\)\nsolvers\.report\(data\)\.save\("a\.html"\)$/,
   );
   assert.equal(
     commandOf('uncertain', 'a.toml', [['target.at', '0.4..0.6']], [figureOf('peak_force')]),
     'impact uncertain a.toml --tolerance target.at=0.4..0.6 --figure peak_force',
   );
+  assert.match(pythonOf('uncertain', 'a.toml', varied, ['newton']), /print\(found\)$/);
 });
 
 test('a table has a row for each impact, why there is none, and both sides of a change', () => {

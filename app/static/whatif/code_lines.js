@@ -140,7 +140,8 @@ export function commandOf(what, file, varied, figures) {
   const option = what === 'study' ? '--vary' : '--tolerance';
   const words = varied.flatMap((each) => [option, quoted(each.join('='))]);
   const out = what === 'study' ? ['--out', file.replace(/\.toml$/, '.nc')] : [];
-  return ['impact', what, file, ...words, ...figures.flatMap((name) => ['--figure', name]), ...out].join(' ');
+  const command = ['impact', what, file, ...words, ...figures.flatMap((name) => ['--figure', name]), ...out].join(' ');
+  return what === 'study' ? `${command}\n${['impact', 'report', out[1]].join(' ')}` : command;
 }
 
 /**
@@ -163,6 +164,6 @@ export function pythonOf(what, file, varied, figures) {
     '    },',
     `    figures=[${list}],`,
     ')',
-    `print(${name})`,
+    what === 'study' ? `solvers.report(${name}).save("${file.replace(/\.toml$/, '.html')}")` : `print(${name})`,
   ].join('\n');
 }

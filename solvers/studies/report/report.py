@@ -1,11 +1,10 @@
 """One impact as a page for others: what is known of a design, and how well."""
 
-import re
 import shlex
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, overload, runtime_checkable
 
 from ...accuracy.auto import Auto
 from ...accuracy.report import CHOSEN
@@ -24,13 +23,13 @@ from ..uncertain import USUAL_SAMPLES, Uncertain, uncertain
 from ..varied import with_values
 from .inputs import Input, inputs_of
 from .numbers import USUAL, Number, as_asked, finer_solution, numbers_of
+from .page import FILE, address, checked, save
+from .study import StudyReport, study_report
 
 if TYPE_CHECKING:
     from .pictures import Curves, Field
 
-ADDRESS = re.compile(r"https?://[^\s/?#\"<>]+(/[^\s?#\"<>]*)?")  # of a page
 USUALLY = {"points": USUAL_SAMPLES, "seed": 0}
-FILE = "scene.toml"  # what the scene file is called, where it is no built-in scene
 
 
 @dataclass(frozen=True, repr=False)
@@ -125,9 +124,8 @@ class Report:
     def save(self, path: str | Path) -> Path:
         """Write `html()` to a file that ends in .html, in place of one that is there. Raises SceneError for another
         name, or a folder that is not there; OSError where it cannot be written."""
-        path = checked(path)
-        path.write_text(self.html(), "utf-8")
-        return path
+        checked(path)
+        return save(self.html(), path)
 
     def table(self) -> dict[str, Any]:
         """As plain lists and numbers."""
@@ -151,6 +149,22 @@ class Report:
         return f"<Report: {self.scene.title[:60]!r} by {self.solution.method['name']}>"
 
 
+@runtime_checkable
+class Labelled(Protocol):
+    """Labelled arrays with attributes, as an xarray.Dataset."""
+
+    @property
+    def attrs(self) -> Any: ...
+
+    @property
+    def data_vars(self) -> Any: ...
+
+
+@overload
+def report(scene: Labelled, *, figures: Sequence[str] | None = None, page: str = "") -> StudyReport: ...
+
+
+@overload
 def report(
     scene: SceneOrName,
     tolerances: Mapping[Any, Any] | None = None,
@@ -163,18 +177,61 @@ def report(
     workers: int | None = None,
     page: str = "",
     progress: Callable[[Progress], Any] | None = None,
-) -> Report:
-    """One impact as one page of A4, to hand on: inputs with tolerances, the model and its limits, pictures, figures
-    with their errors, warnings, the version, a link, and how to do it again.
+) -> Report: ...
+
+
+def report(
+    scene: SceneOrName | Labelled,
+    tolerances: Mapping[Any, Any] | None = None,
+    figures: Sequence[str] | None = None,
+    method: str | Method | None = None,
+    *,
+    changes: Mapping[str, Any] | None = None,
+    points: int = USUAL_SAMPLES,
+    seed: int = 0,
+    workers: int | None = None,
+    page: str = "",
+    progress: Callable[[Progress], Any] | None = None,
+) -> Report | StudyReport:
+    """One impact, or a study, as one page of A4, to hand on: inputs, the model and its limits, pictures, figures,
+    warnings, the version, a link, and how to do it again.
 
     `tolerances`, `points`, `seed`, `workers`, `progress` as of `uncertain`: the spread of `figures`, or of the usual
     ones that need no search; else none. `figures`: names as in `Figures`. `changes`: other values of the scene, by key.
     `page`: the address of a page, to which the link then leads.
     Error of each figure: what the method leaves in it, by its own estimate or by twice the difference to a solution
     with twice its resolution; None where neither is known. What the model leaves out is said in words.
-    Cost: the solve, a finer one, and with tolerances those of `uncertain`.
-    Raises SceneError as `solve` and `uncertain` do, and for a `page` that is no address.
+    Of the Dataset of a `study` in place of a scene: what was varied, the usual picture of the first figure, the least,
+    median and largest value of each and where they are, refusals and notes by their kinds; `figures` and `page` alone
+    go with it.
+    Cost: the solve, a finer one, and with tolerances those of `uncertain`; of a study none.
+    Raises SceneError as `solve` and `uncertain` do, for a `page` that is no address, for what goes with a scene alone
+    where there is a study, and for figures that the study does not have.
     """
+    of_scene = (tolerances, figures, method, changes, points, seed, workers, page, progress)
+    if not isinstance(scene, Labelled):
+        return _report(scene, *of_scene)
+    usual = {"tolerances": None, "method": None, "changes": None, "workers": None} | USUALLY
+    given = {"tolerances": tolerances, "method": method, "changes": changes, "workers": workers}
+    for name, value in (given | {"points": points, "seed": seed}).items():
+        if value != usual[name]:
+            raise SceneError(name, value, allowed("nothing-beside", other="study"))
+    return study_report(scene, figures, page)
+
+
+def _report(
+    scene: SceneOrName,
+    tolerances: Mapping[Any, Any] | None,
+    figures: Sequence[str] | None,
+    method: str | Method | None,
+    changes: Mapping[str, Any] | None,
+    points: int,
+    seed: int,
+    workers: int | None,
+    page: str,
+    progress: Callable[[Progress], Any] | None,
+) -> Report:
+    """Of one impact."""
     from .pictures import pictures_of  # whose names of histories only those who draw load
 
     found, changes = scene_of(scene), dict(changes or {})
@@ -184,8 +241,7 @@ def report(
         file = f"{name or Path(scene).stem}.toml"
     found = with_values(found, changes) if changes else found
     names = None if figures is None else asked_for(figures)
-    if page and not ADDRESS.fullmatch(page):
-        raise SceneError("page", page, allowed("page-address"))
+    page = address(page)
     chosen, duration = chosen_method(found, method)
     solution = chosen.solve_in_full(found, duration)
     finer = finer_solution(solution)
@@ -210,16 +266,6 @@ def report(
         _why(found, chosen, method), finer.by if finer else "closed" if closed else "none", version(),
         query_of(found, None if changes else name), page, asked,
     )  # fmt: skip
-
-
-def checked(path: str | Path) -> Path:
-    """Where a report can be written. Raises SceneError for another ending, or a folder that is not there."""
-    found = Path(path)
-    if found.suffix != ".html":
-        raise SceneError("out", str(path), allowed("report-file"))
-    if not found.parent.is_dir():
-        raise SceneError("out", str(path), allowed("study-folder"))
-    return found
 
 
 def _why(scene: Scene, chosen: Method, method: object) -> str:

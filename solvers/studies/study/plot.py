@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from ...jit.cache import write_whole
 from ...validation import SceneError, allowed
 from .study import file_of
 
@@ -53,8 +54,16 @@ def pictured(draw: Callable[[], Any], out: str | Path | None) -> Any:
 
     pictures.ready()
     drawn = draw()
-    path.write_bytes(pictures.picture(drawn, path.suffix))
+    write_whole(path, pictures.picture(drawn, path.suffix))
     return drawn
+
+
+def drawing(dataset: Any, figure: str, x: str | None = None, kind: str | None = None) -> bytes:
+    """The picture of `plot_study`, as the file of an SVG. Raises as it does."""
+    from ...notebook import pictures, study_plots
+
+    pictures.ready()
+    return pictures.picture(study_plots.study(dataset, figure, x, None, kind), ".svg")
 
 
 def study_of(name: str) -> Any:

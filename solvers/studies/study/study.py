@@ -16,7 +16,7 @@ from ... import validation
 from ...methods.base import Method, never
 from ...numerics.processors import MOST, processors
 from ...provenance import version
-from ...scenes.library import SceneOrName, scene_of, to_toml
+from ...scenes.library import SceneOrName, as_given, scene_of
 from ...validation import SceneError, allowed
 from ..figures import FIGURES, asked_for
 from ..varied import unit_of
@@ -229,7 +229,7 @@ def _about(work: Work, design: Design) -> dict[str, Any]:
     """What makes another study of it, as plain tables."""
     method = work.method.table() if isinstance(work.method, Method) else work.method
     return {
-        "scene": to_toml(work.scene),
+        "scene": as_given(work.scene),
         "design": json.dumps(design.table()),
         "method": json.dumps(method),
         "figures": " ".join(work.figures),

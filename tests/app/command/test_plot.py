@@ -39,6 +39,19 @@ def test_pictures_without_a_page(capsys, map_of, tmp_path):
     assert "figures over keys" in page.read_text("utf-8")
 
 
+def test_a_full_disk_leaves_what_was_there(capsys, map_of, tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("pathlib.Path.replace", full)
+    for name in ("map.html", "map.svg"):
+        out = tmp_path / name
+        out.write_text("before")
+        assert "No space left" in refusal(capsys, "plot", map_of, "--out", str(out))
+        assert out.read_text() == "before"
+    assert len(list(tmp_path.iterdir())) == 2
+
+
 def test_without_matplotlib_a_picture_is_refused_and_a_page_is_written(capsys, map_of, tmp_path, monkeypatch):
     monkeypatch.delitem(sys.modules, "solvers.notebook.pictures", raising=False)
     monkeypatch.delattr(solvers.notebook, "pictures", raising=False)

@@ -2,10 +2,13 @@
 
 import json
 import re
+import sys
 
 import pytest
 
 import solvers
+from solvers.studies.report.study import study_report
+from solvers.studies.study.plot import study_of
 
 from .calls import answer, refusal
 
@@ -62,6 +65,83 @@ def test_each_refusal_is_one_line(capsys, options, said):
 def test_what_is_no_scene_or_has_no_spread_is_refused(capsys):
     assert "scene: got 'nowhere'" in refusal(capsys, "report", "nowhere")
     assert "bodies on an axis" in refusal(capsys, "report", "brick-off-centre", "--tolerance", "impactor.mass=5%")
+
+
+@pytest.fixture(scope="module")
+def studies(tmp_path_factory):
+    """Files of studies of one key, of two, of many that are drawn, and of words of which some are refused."""
+    folder, law = tmp_path_factory.mktemp("studies"), "contact.stiffness"
+    drawn = {law: "20%", "impactor.mass": "normal(2,0.05)", "impactor.velocity": "5%", "target.length": "5%"}
+    words = {"impactor.mass": [0.5, 2, 8], "contact.law": ["rigid", "velvet"], "method.name": ["waves", "modal"]}
+    for name, scene, vary, given in (
+        ("one", "fixed-rod", {"impactor.mass": "0.5..8:16"}, {}),
+        ("two", "docs/hammer.toml", {law: "5e4..1.6e6:9:log", "impactor.velocity": "0.5..3:6"}, {}),
+        ("many", "docs/hammer.toml", drawn | {"target.section.height": "2%"}, {"points": 40}),
+        ("words", "fixed-rod", words, {}),
+    ):
+        solvers.study(scene, vary, workers=1, out=folder / f"{name}.nc", **given)
+    return folder
+
+
+def test_a_study_is_reported_under_its_own_name(capsys, studies, monkeypatch):
+    monkeypatch.chdir(studies)
+    assert answer(capsys, "report", "two.nc") == "written: two.nc.html\n"
+    page = (studies / "two.nc.html").read_text("utf-8")
+    report = study_report(study_of("two.nc"), name="two.toml")
+    assert page == report.html() and "impact study two.toml --vary " in page
+    found = json.loads(answer(capsys, "report", "two.nc", "--figure", "impulse", "--out", "own.html", "--json"))
+    assert found["out"] == "own.html" and found["figures"].keys() == {"impulse"}
+    assert found["figures"]["impulse"] == report.table()["figures"]["impulse"]
+    assert (found["points"], found["solved"], found["version"]) == (54, 54, report.version)
+
+
+@pytest.mark.parametrize("options, said", [
+    (("--tolerance", "impactor.mass=5%"), "--tolerance: got ['impactor.mass=5%']; allowed: nothing, as it goes with"),
+    (("--set", "impactor.mass=3"), "--set: got ['impactor.mass=3']"),
+    (("--method", "modal"), "--method: got 'modal'"),
+    (("--points", "8"), "--points: got '8'"),
+    (("--seed", "0"), "--seed: got '0'"),
+    (("--workers", "2"), "--workers: got '2'"),
+    (("--figure", "heat"), "--figure: got 'heat'; allowed: 'contacts'"),
+    (("--page", "example.org"), "--page: got 'example.org'"),
+    (("--out", "report.pdf"), "--out: got 'report.pdf'"),
+    (("--out", "/nowhere/report.html"), "--out: got '/nowhere/report.html'"),
+])  # fmt: skip
+def test_what_does_not_go_with_a_study_is_refused_in_one_line(capsys, studies, options, said):
+    assert said in refusal(capsys, "report", str(studies / "one.nc"), *options)
+
+
+def test_what_is_no_study_is_refused_in_one_line(capsys, studies, tmp_path):
+    (tmp_path / "other.nc").write_bytes(b"none")
+    (tmp_path / "alone.csv").write_text("a,b\n1,2\n")
+    solvers.solve("fixed-rod").dataset().to_netcdf(tmp_path / "solution.nc")
+    for name in ("other.nc", "alone.csv", "solution.nc", "nowhere.nc", "nowhere.zarr", "nowhere.parquet"):
+        assert "a file that a study has written" in refusal(capsys, "report", str(tmp_path / name)), name
+    cut = tmp_path / "cut.csv"
+    solvers.study("fixed-rod", {"impactor.mass": [1.0, 2.0]}, figures=["impulse"], workers=1, out=cut)
+    cut.write_text("\n".join(cut.read_text().splitlines()[:2]) + "\n")
+    assert "got '1 points'; allowed: all points of its design, 2" in refusal(capsys, "report", str(cut))
+
+
+def test_without_matplotlib_a_study_has_no_page(capsys, studies, tmp_path, monkeypatch):
+    monkeypatch.delitem(sys.modules, "solvers.notebook.pictures", raising=False)
+    monkeypatch.delattr(solvers.notebook, "pictures", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    out = tmp_path / "page.html"
+    said = refusal(capsys, "report", str(studies / "one.nc"), "--out", str(out))
+    assert "matplotlib beside it: pip install 'strikewave[plot]'" in said and not out.exists()
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("language", ["en", "es"])
+@pytest.mark.parametrize("name", ["one", "two", "many", "words"])
+def test_a_study_is_one_page_and_as_wide_as_its_window(browser, studies, monkeypatch, name, language):
+    monkeypatch.setenv("IMPACT_LANGUAGE", language)
+    tab = browser.new_page()
+    _one_page(tab, name, study_report(study_of(str(studies / f"{name}.nc")), name=f"{name}.toml"))
+    drawn = tab.locator("img").evaluate("each => each.naturalWidth * each.naturalHeight")
+    assert drawn > 10_000
+    tab.close()
 
 
 @pytest.mark.browser

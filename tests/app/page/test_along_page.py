@@ -5,6 +5,7 @@ import csv
 import io
 import shlex
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -60,15 +61,18 @@ def codes(page, folder) -> tuple[str, str]:
 
 
 def run(command: str, python: str) -> tuple[Any, Any]:
-    """What both find."""
+    """What both find; both write a report of it."""
     import xarray
 
-    words = shlex.split(command)[1:]
+    study, report = (shlex.split(line)[1:] for line in command.splitlines())
     with contextlib.redirect_stdout(io.StringIO()):
-        assert main(words) == 0
+        assert main(study) == main(report) == 0
         given: dict[str, Any] = {}
         exec(python, given)
-    out = words[words.index("--out") + 1]
+    out = study[study.index("--out") + 1]
+    assert report == ["report", out]
+    for page in (Path(f"{out}.html"), Path(out).with_suffix(".html")):
+        assert "Study report" in page.read_text("utf-8")
     with xarray.open_dataset(out) as data:
         return data.load(), given["data"]
 
