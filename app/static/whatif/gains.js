@@ -36,14 +36,14 @@ export class Gains {
     return axes.filter(({ body, name, whole }) => !body && !whole && page.controls.fields[name] && points.covers(name));
   }
   /**
-   * Sliders in view: those of both axes, how stiff the contact is, then others that act on what is shown.
+   * Sliders in view: those of both axes, what gives way, how stiff the contact is, then others that act.
    * @param {string[]} others  that lead without the map
    */
   leads(others) {
-    const { axes, named, page } = this.whatif;
+    const { axes, goal, named, page } = this.whatif;
     if (!axes.length) return others; // not yet known
-    const stiff = usualFirst(axes).filter(isStiffness);
-    const first = [named.x, named.y, ...stiff].filter((name) => page.controls.fields[name]);
+    const more = [...(goal.wanted === null ? [] : [goal.gives]), ...usualFirst(axes).filter(isStiffness)];
+    const first = [named.x, named.y, ...more].filter((name) => page.controls.fields[name]);
     const act = others.filter((name) => name !== 'restitution' || this.whatif.axis(name));
     return [...new Set([...first, ...act])].slice(0, SLIDERS);
   }

@@ -7,7 +7,7 @@ from playwright.sync_api import expect
 
 import solvers
 
-from .hands import drag
+from .hands import drag, type_into
 from .test_page import settled
 from .test_whatif_page import DONE, SIZES, WHATIF, opened
 
@@ -53,3 +53,11 @@ def test_the_slider_of_an_axis_moves_the_point_and_goes_with_the_map(show):
     expect(page.tab.locator(".whatif-map")).to_have_count(0)
     assert sliders(page) == ["mass_ratio", "restitution", "modes"]
     assert page.tab.locator(".whatif-role").count() == 0
+
+
+def test_what_gives_way_has_a_slider(show):
+    page = opened(show, MAP)
+    assert "speed" not in sliders(page)
+    type_into(page.tab.locator(".whatif-goal").get_by_role("textbox"), "20 kN")
+    expect(page.tab.locator(".whatif-goal select")).to_have_value("speed")
+    expect(page.tab.locator("#choice-speed")).to_be_visible()
