@@ -230,9 +230,10 @@ export class Sketch {
   }
   #enable() {
     this.#call();
-    const [undo, clear] = /** @type {HTMLButtonElement[]} */ ([...this.tools.children]);
-    undo.disabled = !this.drawn.undone.length;
-    clear.disabled = !this.drawn.begun;
+    const tools = /** @type {HTMLButtonElement[]} */ ([...this.tools.children]);
+    const focused = tools.find((each) => each.matches(':focus'));
+    [tools[0].disabled, tools[1].disabled] = [!this.drawn.undone.length, !this.drawn.begun];
+    if (focused?.disabled) this.plot.focus(); // else keys would begin at the top again
     this.show_.disabled = !this.whole;
     this.hint.textContent = this.whole || !this.measured ? '' : this.drawOn;
   }
