@@ -5,23 +5,8 @@ from collections.abc import Iterable
 from html import escape
 from typing import Any
 
+from . import sheet_frame as frame
 from .report import method_line
-from .sheet_frame import (
-    again,
-    heading,
-    link,
-    notes_list,
-    number,
-    power,
-    printed_unit,
-    rough,
-    scale,
-    section,
-    table,
-    wrapped,
-)
-from .sheet_frame import article as framed_article
-from .sheet_frame import page as framed
 from .sheet_inputs import inputs_table, values_of
 from .sheet_model import limits_of, model_body
 from .sheet_pictures import picture
@@ -33,7 +18,7 @@ ROUNDING = 1e-9  # of a figure: a smaller error of its numbers is not worth a nu
 
 def page(found: Any) -> str:
     """A whole file."""
-    return framed(_title(found), article(found))
+    return frame.page(_title(found), article(found))
 
 
 def article(found: Any) -> str:
@@ -46,20 +31,20 @@ def article(found: Any) -> str:
         _notes(found),
         _again(found),
     )
-    return framed_article(parts, _lines(found))
+    return frame.article(parts, _lines(found))
 
 
 def _lines(found: Any) -> float:
     """About how many lines the page takes in large letters."""
     scene = found.scene
-    head = 2.4 * wrapped(_title(found), 52) + wrapped(f"{scene.note} {scene.source}", 105)
+    head = 2.4 * frame.wrapped(_title(found), 52) + frame.wrapped(f"{scene.note} {scene.source}", 105)
     tolerances = any(each.tolerance for each in found.inputs)
-    inputs = 8.0 + sum(1.1 * wrapped(values_of(each), 34 if tolerances else 46) for each in found.inputs)
-    model = 4.0 + sum(wrapped(each, 40) + 0.3 for each in _said_of_model(found))
+    inputs = 8.0 + sum(1.1 * frame.wrapped(values_of(each), 34 if tolerances else 46) for each in found.inputs)
+    model = 4.0 + sum(frame.wrapped(each, 40) + 0.3 for each in _said_of_model(found))
     figures = 5.5 + 1.27 * len(found.numbers) + 2.0 * bool(found.uncertain)
-    notes = 2.5 + sum(wrapped(str(note), 105) + 0.3 for note in found.notes)
+    notes = 2.5 + sum(frame.wrapped(str(note), 105) + 0.3 for note in found.notes)
     code = [found.command, *found.python.splitlines(), found.page + (found.query or "")]
-    rest = 5.0 + sum(wrapped(each, 88) for each in code)
+    rest = 5.0 + sum(frame.wrapped(each, 88) for each in code)
     return head + max(inputs, model) + (16.0 if found.pictures else 3.0) + figures + notes + rest
 
 
@@ -72,7 +57,7 @@ def _heading(found: Any) -> str:
     scene = found.scene
     source = text("sheet.source", source=scene.source) if scene.source else ""
     version = text("sheet.version", version=found.version)
-    return heading(text("sheet.kind"), version, _title(found), (scene.note, source))
+    return frame.heading(text("sheet.kind"), version, _title(found), (scene.note, source))
 
 
 # --- inputs -----------------------------------------------------------------------------------------------------------
@@ -90,7 +75,7 @@ def _inputs(found: Any) -> str:
             yield f"<td class='tolerance'>{escape(_tolerance(found, each))}</td>"
 
     follows = f"<p class='small follows'>{escape(text('sheet.follows'))}</p>"
-    return section("inputs", text("sheet.inputs"), f"{inputs_table(found.inputs, heads, cells)}{follows}")
+    return frame.section("inputs", text("sheet.inputs"), f"{inputs_table(found.inputs, heads, cells)}{follows}")
 
 
 def _tolerance(found: Any, each: Any) -> str:
@@ -98,7 +83,7 @@ def _tolerance(found: Any, each: Any) -> str:
     given = SHARE.fullmatch(str(dict(found.laws).get(each.key, "")))
     if given:
         return text("sheet.about", share=float(given[1]))
-    return re.sub(r"\d+\.\d+(?:e[+-]?\d+)?", lambda number: shown(float(number[0]), ".5g"), each.tolerance)
+    return re.sub(r"\d+\.\d+(?:e[+-]?\d+)?", lambda digits: shown(float(digits[0]), ".5g"), each.tolerance)
 
 
 # --- model ------------------------------------------------------------------------------------------------------------
@@ -109,7 +94,7 @@ def _model(found: Any) -> str:
     law = found.scene.contact.NAME
     why, *paragraphs = _said_of_model(found)
     method = f"<b>{escape(method_line(found.solution.method))}</b>. {escape(why)}"
-    return section("model", text("sheet.model"), model_body(method, [law], paragraphs))
+    return frame.section("model", text("sheet.model"), model_body(method, [law], paragraphs))
 
 
 def _said_of_model(found: Any) -> list[str]:
@@ -125,13 +110,13 @@ def _said_of_model(found: Any) -> list[str]:
 def _pictures(found: Any) -> str:
     """Two beside each other."""
     if not found.pictures:
-        return section("pictures", text("sheet.pictures"), f"<p>{escape(text('sheet.no-pictures'))}</p>")
+        return frame.section("pictures", text("sheet.pictures"), f"<p>{escape(text('sheet.no-pictures'))}</p>")
     drawn = "".join(f"<figure>{picture(each)}</figure>" for each in found.pictures)
     shaded = any(getattr(each, "spans", ()) for each in found.pictures)
     said = [text("sheet.shaded")] if shaded else []
     said += [text("sheet.raw")] if any("raw" in getattr(each, "lines", ()) for each in found.pictures) else []
     below = f"<p class='small'>{escape(' '.join(said))}</p>" if said else ""
-    return section("pictures", text("sheet.pictures"), f"<div class='two even'>{drawn}</div>{below}")
+    return frame.section("pictures", text("sheet.pictures"), f"<div class='two even'>{drawn}</div>{below}")
 
 
 # --- numbers ----------------------------------------------------------------------------------------------------------
@@ -150,7 +135,7 @@ def _numbers(found: Any) -> str:
     trusted = not any(note.severity == "invalid" for note in found.notes)
     above = "" if trusted else f"<p class='invalid'>{escape(text('sheet.invalid'))}</p>"
     small = f"<p class='small'>{escape(' '.join(below))}</p>"
-    return section("numbers", text("sheet.numbers"), f"{above}{table(heads, rows)}{small}")
+    return frame.section("numbers", text("sheet.numbers"), f"{above}{frame.table(heads, rows)}{small}")
 
 
 def _figure(found: Any, each: Any) -> Iterable[str]:
@@ -160,11 +145,12 @@ def _figure(found: Any, each: Any) -> Iterable[str]:
         yield f"<td>{escape(text('sheet.none'))}</td>"
         yield "<td></td>"
     elif isinstance(each.value, tuple):
-        yield f"<td class='number'>{escape(vector(each.value).replace('-', '−'))} {printed_unit(each.unit)}</td>"
+        yield f"<td class='number'>{escape(vector(each.value).replace('-', '−'))} {frame.printed_unit(each.unit)}</td>"
         yield f"<td>{escape(_error(each, max(map(abs, each.value))))}</td>"
     else:
-        factor, unit = scale(abs(each.value), each.unit)
-        yield f"<td class='number'>{escape(f'{number(each.value * factor)} {printed_unit(unit)}'.rstrip())}</td>"
+        factor, unit = frame.scale(abs(each.value), each.unit)
+        value = f"{frame.number(each.value * factor)} {frame.printed_unit(unit)}".rstrip()
+        yield f"<td class='number'>{escape(value)}</td>"
         yield f"<td>{escape(_error(each, abs(each.value)))}</td>"
     if found.uncertain:
         yield from (f"<td>{escape(cell)}</td>" for cell in _spread(found.uncertain.figures.get(each.name), each))
@@ -180,10 +166,10 @@ def _error(each: Any, size: float) -> str:
         return text("sheet.noted") if each.noted else text("sheet.unknown")
     if each.error <= ROUNDING * size:
         return text("sheet.rounding")
-    factor, unit = scale(each.error, each.unit)
-    error = f"{rough(each.error * factor, 2)} {printed_unit(unit)}".rstrip()
+    factor, unit = frame.scale(each.error, each.unit)
+    error = f"{frame.rough(each.error * factor, 2)} {frame.printed_unit(unit)}".rstrip()
     within = text("sheet.within", error=error)
-    return text("sheet.share", error=within, share=rough(100.0 * each.error / size, 1)) if size else within
+    return text("sheet.share", error=within, share=frame.rough(100.0 * each.error / size, 1)) if size else within
 
 
 def _spread(outcome: Any, each: Any) -> tuple[str, str]:
@@ -191,9 +177,9 @@ def _spread(outcome: Any, each: Any) -> tuple[str, str]:
     if outcome is None or not outcome.samples:
         return "", ""
     low, high = outcome.quantiles[5], outcome.quantiles[95]
-    factor, unit = scale(abs(each.value or high), each.unit)
-    ends = {"low": power(shown(low * factor, ".4g")), "high": power(shown(high * factor, ".4g"))}
-    said = text("sheet.spread", **ends, unit=printed_unit(unit)).strip()
+    factor, unit = frame.scale(abs(each.value or high), each.unit)
+    ends = {"low": frame.power(shown(low * factor, ".4g")), "high": frame.power(shown(high * factor, ".4g"))}
+    said = text("sheet.spread", **ends, unit=frame.printed_unit(unit)).strip()
     if not outcome.shares or not outcome.ranking:
         return said, ""
     first = outcome.ranking[0]
@@ -207,9 +193,9 @@ def _spread(outcome: Any, each: Any) -> tuple[str, str]:
 def _notes(found: Any) -> str:
     """The gravest first."""
     names = family("sheet.severity")
-    listed = notes_list((str(note.severity), names[note.severity], str(note)) for note in found.notes)
+    listed = frame.notes_list((str(note.severity), names[note.severity], str(note)) for note in found.notes)
     body = f"<ul>{listed}</ul>" if listed else f"<p>{escape(text('sheet.no-notes'))}</p>"
-    return section("notes", text("sheet.notes"), body)
+    return frame.section("notes", text("sheet.notes"), body)
 
 
 def _again(found: Any) -> str:
@@ -217,6 +203,6 @@ def _again(found: Any) -> str:
     rows = [
         (text("sheet.command"), f"<code>{escape(found.command)}</code>"),
         (text("sheet.python"), f"<code>{escape(found.python)}</code>"),
-        *link(found.query, found.page),
+        *frame.link(found.query, found.page),
     ]
-    return again(rows, found.file, found.toml)
+    return frame.again(rows, found.file, found.toml)

@@ -5,26 +5,8 @@ from collections.abc import Iterable, Mapping
 from html import escape
 from typing import Any
 
+from . import sheet_frame as frame
 from .report import method_line
-from .sheet_frame import (
-    again,
-    heading,
-    link,
-    notes_list,
-    number,
-    printed_unit,
-    rough,
-    scale,
-    section,
-    table,
-    wrapped,
-)  # fmt: skip
-from .sheet_frame import (
-    article as framed_article,
-)
-from .sheet_frame import (
-    page as framed,
-)
 from .sheet_inputs import inputs_table, key_of, values_of
 from .sheet_model import limits_of, model_body
 from .words import family, named, text
@@ -37,7 +19,7 @@ SAMPLES = ("grid", "random", "lhs", "sobol")
 
 def page(found: Any) -> str:
     """A whole file."""
-    return framed(_title(found), article(found))
+    return frame.page(_title(found), article(found))
 
 
 def article(found: Any) -> str:
@@ -52,19 +34,21 @@ def article(found: Any) -> str:
         _notes(found),
         _again(found),
     )
-    return framed_article(parts, _lines(found, drawn is not None))
+    return frame.article(parts, _lines(found, drawn is not None))
 
 
 def _lines(found: Any, drawn: bool) -> float:
     """About how many lines the page takes in large letters."""
-    inputs = 6.0 + sum(1.1 * wrapped(values_of(each), 46) for each in found.inputs)
-    model = 3.0 + sum(wrapped(each, 40) + 0.3 for each in (_why(found), *limits_of(_few(found.methods))))
-    places = [max(wrapped(_at(found, end.at), 40) for end in (each.least, each.largest)) for each in found.reaches]
+    inputs = 6.0 + sum(1.1 * frame.wrapped(values_of(each), 46) for each in found.inputs)
+    model = 3.0 + sum(frame.wrapped(each, 40) + 0.3 for each in (_why(found), *limits_of(_few(found.methods))))
+    places = [
+        max(frame.wrapped(_at(found, end.at), 40) for end in (each.least, each.largest)) for each in found.reaches
+    ]
     figures = 4.0 + sum(1.3 + each for each in places)
-    notes = 2.5 + sum(wrapped(f"{each.said} {_at(found, each.at)}", 100) + 0.3 for each in _all(found))
+    notes = 2.5 + sum(frame.wrapped(f"{each.said} {_at(found, each.at)}", 100) + 0.3 for each in _all(found))
     code = [*(found.command or "").splitlines(), *(found.python or "").splitlines(), found.page + (found.query or "")]
-    rest = 6.0 + sum(wrapped(each, 88) for each in code)
-    head = 5.0 + 2.4 * wrapped(_title(found), 52) + 1.4 * len(found.varied)
+    rest = 6.0 + sum(frame.wrapped(each, 88) for each in code)
+    head = 5.0 + 2.4 * frame.wrapped(_title(found), 52) + 1.4 * len(found.varied)
     return head + max(inputs, model) + (19.0 if drawn else 3.0) + figures + notes + rest
 
 
@@ -81,7 +65,7 @@ def _heading(found: Any) -> str:
     """Title of the scene, and how many points there are."""
     version = text("sheet.version", version=found.version)
     source = text("sheet.source", source=found.scene.source) if found.scene.source else ""
-    return heading(
+    return frame.heading(
         text("study-sheet.kind"), version, _title(found), (text("study-sheet.counts", **found.counts), source)
     )
 
@@ -102,8 +86,8 @@ def _varied(found: Any) -> str:
     design = found.design
     sample = design["sample"] if design["sample"] in SAMPLES else "other"
     said = text("study-sheet.design", sample=sample, points=design["points"], seed=design["seed"] or 0)
-    body = table([head["key"], head["name"], head["range"], head["values"]], rows)
-    return section("varied", text("study-sheet.varied"), f"{body}<p class='small'>{escape(said)}</p>")
+    body = frame.table([head["key"], head["name"], head["range"], head["values"]], rows)
+    return frame.section("varied", text("study-sheet.varied"), f"{body}<p class='small'>{escape(said)}</p>")
 
 
 def _range(values: Mapping[str, Any]) -> str:
@@ -111,8 +95,8 @@ def _range(values: Mapping[str, Any]) -> str:
     if "values" in values:
         more = "; …" if len(values["values"]) > LISTED else ""
         return "; ".join(map(str, values["values"][:LISTED])) + more
-    ends = dict.fromkeys(number(values[end]) for end in ("lowest", "highest"))
-    return f"{' … '.join(ends)} {printed_unit(values['unit'])}".rstrip()
+    ends = dict.fromkeys(frame.number(values[end]) for end in ("lowest", "highest"))
+    return f"{' … '.join(ends)} {frame.printed_unit(values['unit'])}".rstrip()
 
 
 def _count(known: Mapping[str, Any], key: str) -> str:
@@ -130,7 +114,7 @@ def _inputs(found: Any) -> str:
     head = family("sheet.head")
     heads = [head["key"], head["name"], head["value"]]
     body = inputs_table(found.inputs, heads, lambda each: [f"<td>{escape(values_of(each))}</td>"])
-    return section("inputs", text("study-sheet.rest"), body)
+    return frame.section("inputs", text("study-sheet.rest"), body)
 
 
 def _model(found: Any) -> str:
@@ -138,7 +122,7 @@ def _model(found: Any) -> str:
     names = escape("; ".join(map(method_line, few))) if few else escape(text("study-sheet.none"))
     method = f"<b>{names}</b>. {escape(_why(found))}"
     laws = found.laws if len(found.laws) <= METHODS else []
-    return section("model", text("sheet.model"), model_body(method, laws, limits_of(few)))
+    return frame.section("model", text("sheet.model"), model_body(method, laws, limits_of(few)))
 
 
 def _few(methods: Any) -> list[Mapping[str, Any]]:
@@ -162,7 +146,7 @@ def _picture(found: Any, drawn: bytes | None) -> str:
         return ""
     name = escape(named("quantity", found.reaches[0].name), quote=True)
     image = f"<img alt='{name}' src='data:image/svg+xml;base64,{base64.b64encode(drawn).decode()}'/>"
-    return section("picture", text("study-sheet.picture"), f"<figure>{image}</figure>")
+    return frame.section("picture", text("study-sheet.picture"), f"<figure>{image}</figure>")
 
 
 def _figures(found: Any) -> str:
@@ -170,26 +154,26 @@ def _figures(found: Any) -> str:
     title = text("sheet.numbers")
     if not found.reaches:
         said = text("study-sheet.no-figures", **found.counts)
-        return section("numbers", title, f"<p class='invalid'>{escape(said)}</p>")
+        return frame.section("numbers", title, f"<p class='invalid'>{escape(said)}</p>")
     head = family("study-sheet.head")
     heads = [family("sheet.head")["figure"], head["least"], head["median"], head["largest"]]
-    body = table(heads, (f"<tr>{''.join(_figure(found, each, heads))}</tr>" for each in found.reaches))
+    body = frame.table(heads, (f"<tr>{''.join(_figure(found, each, heads))}</tr>" for each in found.reaches))
     said = [text("study-sheet.median"), _error(found)]
     said += [text("study-sheet.more", names=", ".join(found.more))] if found.more else []
     said += [text("study-sheet.empty", names=", ".join(found.empty))] if found.empty else []
-    return section("numbers reaches", title, f"{body}<p class='small'>{escape(' '.join(said))}</p>")
+    return frame.section("numbers reaches", title, f"{body}<p class='small'>{escape(' '.join(said))}</p>")
 
 
 def _figure(found: Any, each: Any, heads: list[str]) -> Iterable[str]:
     """Cells of one row; on a telephone each has its head."""
     yield f"<th scope='row'>{escape(named('quantity', each.name))}</th>"
-    factor, unit = scale(max(abs(each.least.value), abs(each.largest.value)), each.unit)
+    factor, unit = frame.scale(max(abs(each.least.value), abs(each.largest.value)), each.unit)
     if each.least.value == each.largest.value:
-        said = f"{number(each.least.value * factor)} {printed_unit(unit)}".rstrip()
+        said = f"{frame.number(each.least.value * factor)} {frame.printed_unit(unit)}".rstrip()
         yield f"<td colspan='3'><span class='number'>{escape(said)}</span> {escape(text('study.everywhere'))}</td>"
         return
     for name, end in zip(heads[1:], (each.least, each.median, each.largest), strict=True):
-        said = escape(f"{number(end.value * factor)} {printed_unit(unit)}".rstrip())
+        said = escape(f"{frame.number(end.value * factor)} {frame.printed_unit(unit)}".rstrip())
         place = escape(_at(found, end.at))
         inner = f"<span class='number'>{said}</span> <small>{place}</small>"
         yield f"<td data-head='{escape(name, quote=True)}'>{inner}</td>"
@@ -209,14 +193,14 @@ def _end(key: str) -> str:
 
 
 def _said(value: Any) -> str:
-    return number(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else str(value)
+    return frame.number(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else str(value)
 
 
 def _error(found: Any) -> str:
     if found.error is None:
         return text("study-sheet.no-error")
     ends = {
-        name: rough(100.0 * end.value, 2)
+        name: frame.rough(100.0 * end.value, 2)
         for name, end in (("median", found.error.median), ("largest", found.error.largest))
     }
     return text("study-sheet.error", **ends, at=_at(found, found.error.largest.at))
@@ -232,7 +216,7 @@ def _notes(found: Any) -> str:
     def said(each: Any) -> str:
         return text("study-sheet.kind-of", points=each.points, at=_at(found, each.at), said=each.said)
 
-    listed = notes_list(
+    listed = frame.notes_list(
         [("invalid", names["refusal"], said(each)) for each in found.refusals[:KINDS]]
         + [("warning", each.code, said(each)) for each in found.notes[:KINDS]]
     )
@@ -243,7 +227,7 @@ def _notes(found: Any) -> str:
         kinds = ", ".join(f"{each.code} ({each.points})" for each in further)
         body += f"<p class='small'>{escape(text('study-sheet.further', kinds=kinds))}</p>"
     body += "" if found.notes else f"<p>{escape(text(none))}</p>"
-    return section("notes", text("sheet.notes"), body)
+    return frame.section("notes", text("sheet.notes"), body)
 
 
 def _again(found: Any) -> str:
@@ -251,8 +235,8 @@ def _again(found: Any) -> str:
     command = f"<code>{escape(found.command)}</code>" if found.command else escape(text("study-sheet.no-command"))
     rows = [(text("sheet.command"), command)]
     rows += [(text("sheet.python"), f"<code>{escape(found.python)}</code>")] if found.python else []
-    rows += [*link(found.query, found.page), (text("study-sheet.fingerprint"), _fingerprint(found))]
-    return again(rows, found.file, found.toml)
+    rows += [*frame.link(found.query, found.page), (text("study-sheet.fingerprint"), _fingerprint(found))]
+    return frame.again(rows, found.file, found.toml)
 
 
 def _fingerprint(found: Any) -> str:
