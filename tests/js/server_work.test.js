@@ -180,3 +180,21 @@ test('curves and tolerances say how much of them is found', () => {
   }
   assert.deepEqual(tolerance.progress, { found: 250, all: 1000, changes: 0, coarse: false });
 });
+
+test('while a scene changes under a hand, the server is not asked for what the browser has no room for', async () => {
+  const { asked, jobs, points } = mapOf();
+  const own = { feed: () => {}, leave: () => {} };
+  Object.assign(points, { own, source: own, sources: [own, points.served] });
+  const move = (held) => {
+    const lattice = new Lattice(2);
+    lattice.left.set(0, [2, 3]);
+    jobs.whatif.held = held;
+    jobs.plan(new Window(lattice, AXES, [600, 400], 7));
+    points.feed();
+  };
+  for (let n = 0; n < 5; n++) move(true);
+  assert.equal(asked.length, 0);
+  await new Promise((rest) => globalThis.setTimeout(rest, 400));
+  assert.deepEqual(asked.at(-1).rows, [[2, 3]], 'once it rests, though it still holds');
+  points.leave();
+});

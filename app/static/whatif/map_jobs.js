@@ -60,6 +60,8 @@ export class MapJobs {
    * @param {Window | null} view
    */
   plan(view) {
+    const { held, points } = this.whatif;
+    if (held && view && view.lattice !== this.view?.lattice) points.wait();
     this.view = view;
     this.wanted = [];
     this.halves = null;
@@ -70,7 +72,6 @@ export class MapJobs {
       (placeOf(x, this.whatif.value(x)) - x0) / (x1 - x0),
       (placeOf(y, this.whatif.value(y)) - y0) / (y1 - y0),
     ]);
-    const { held, points } = this.whatif;
     this.at = at;
     this.partly = held && points.source === points.own; // the next picture is there before more is needed
     this.wanted = view.plan(at, false, this.partly);
@@ -157,7 +158,7 @@ export class MapJobs {
     const { view } = this;
     const { modes, points, x, y } = this.whatif;
     if (!view) return modes.rest();
-    if (!view?.lattice.left.size || this.partly || !points.serves || !points.base || !x || !y) return null;
+    if (!view?.lattice.left.size || !points.serves || !points.base || !x || !y) return null;
     const { lattice } = view;
     const places = (/** @type {number[]} */ [a, b]) => [placeOf(view.axes.x, a), placeOf(view.axes.y, b)];
     const here = places([this.whatif.value(x), this.whatif.value(y)]);

@@ -35,6 +35,7 @@ import { Served } from './server.js';
 
 const QUICK = 3; // ms for an impact, above which it takes long
 const WHOLE = 3000; // ms that all points of a map may take, none spared
+const REST = 150; // ms without another scene under a hand, before the server finds more beside the browser
 const CELL = { least: 4, held: 7, most: 10 }; // pixels of a step of the lattice
 
 export class Points {
@@ -47,6 +48,8 @@ export class Points {
   ready = false;
   stopped = false; // by hand: the server finds nothing more of what is drawn
   stopping = false; // just now
+  still = 0; // when the server finds more beside the browser
+  /** @type {number | undefined} */ waits;
   handed = 0; // impacts that the server has found while the browser finds the others
 
   /**
@@ -125,9 +128,16 @@ export class Points {
    * @param {() => Job | null} rest
    */
   #waiting(rest) {
+    if (performance.now() < this.still) return null;
     const first = this.queue.findIndex(({ drawn }) => !(drawn && this.stopped));
     const [job = null] = first < 0 ? [] : this.queue.splice(first, 1);
     return job ?? (this.stopped ? null : rest());
+  }
+  /** A hand moves: what the server would find beside the browser is soon of no use. */
+  wait() {
+    this.still = performance.now() + REST;
+    clearTimeout(this.waits);
+    this.waits = window.setTimeout(() => this.feed(), REST + 1);
   }
   /** Impacts of what is drawn that wait for the server, beside those that it is at. */
   get left() {
@@ -229,6 +239,7 @@ export class Points {
     if (this.sources.includes(this.served) && !this.page.changes.asked) this.served.feed();
   }
   leave() {
+    clearTimeout(this.waits);
     for (const each of this.sources) each.leave();
     this.source = this.base = null;
     this.stopped = false;
