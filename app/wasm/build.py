@@ -146,6 +146,7 @@ def main() -> None:
     except NoLinker as why:
         sys.exit(str(why))
     place = Path(*sys.argv[1:]) if sys.argv[1:] else MODULE
+    place.parent.mkdir(parents=True, exist_ok=True)
     place.write_bytes(module)
     place.with_name("room.js").write_text(room(), encoding="utf-8")
     print(f"{place.name}: {len(module)} bytes, of sources {named_in(module)}")

@@ -214,7 +214,8 @@ def read_study(path: Path) -> Dataset:
             if array.dtype.kind == "T" and array.size <= HELD
         }
         return found.assign(words)
-    rows = pandas.read_csv(path, keep_default_na=True) if path.suffix == ".csv" else pandas.read_parquet(path)
+    exact = {"keep_default_na": True, "float_precision": "round_trip"}  # numbers as they were written, by any pandas
+    rows = pandas.read_csv(path, **exact) if path.suffix == ".csv" else pandas.read_parquet(path)
     for name in WORDS:
         rows[name] = rows[name].fillna("").astype(object)
     about = study_in(path)

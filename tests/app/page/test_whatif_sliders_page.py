@@ -33,6 +33,9 @@ def test_both_axes_have_a_slider_that_says_what_1_percent_does(open_page, size, 
         box, inner = row.bounding_box(), row.locator("span").bounding_box()
         assert box and inner and inner["x"] > box["x"] + 50
         assert inner["x"] + inner["width"] <= min(box["x"] + box["width"], size[0]) + 0.5
+    unit = page.tab.locator(".field-hertz_stiffness .unit")
+    expect(unit).to_have_text(re.compile("^N/m"))
+    expect(unit).to_be_visible(visible=size[0] != 820)  # there is no room
 
 
 def test_the_slider_of_an_axis_moves_the_point_and_goes_with_the_map(show):
