@@ -214,8 +214,10 @@ def read_study(path: Path) -> Dataset:
             if array.dtype.kind == "T" and array.size <= HELD
         }
         return found.assign(words)
-    exact = {"keep_default_na": True, "float_precision": "round_trip"}  # numbers as they were written, by any pandas
-    rows = pandas.read_csv(path, **exact) if path.suffix == ".csv" else pandas.read_parquet(path)
+    if path.suffix == ".csv":  # numbers as they were written, by any pandas
+        rows = pandas.read_csv(path, keep_default_na=True, float_precision="round_trip")
+    else:
+        rows = pandas.read_parquet(path)
     for name in WORDS:
         rows[name] = rows[name].fillna("").astype(object)
     about = study_in(path)
